@@ -34,11 +34,19 @@ pub struct MaterialPair<T = f64> {
     pub coupling: f64,
 }
 
-impl MaterialPair {
+impl<T> MaterialPair<T> {
     /// K from which on materials count as unlike: it shifts the creepage of free rolling by a hundredth
     /// of that at which a wheel slides all over [-].
     pub const UNLIKE: f64 = 2e-3;
 
+    /// Whether the bodies are so unlike that pressure and tractions act on each other.
+    #[must_use]
+    pub fn is_unlike(&self) -> bool {
+        self.coupling.abs() > Self::UNLIKE
+    }
+}
+
+impl MaterialPair {
     /// The same constants in other numbers, which do not move.
     #[must_use]
     pub fn fixed<T: Real>(&self) -> MaterialPair<T> {

@@ -57,6 +57,16 @@ impl Grid {
         self.dx * self.dy
     }
 
+    /// Whether a `pressure` of the elements acts at the border.
+    #[must_use]
+    pub fn is_loaded_at_the_border(&self, pressure: &[f64]) -> bool {
+        let is_border = |k: usize| {
+            let (i, j) = (k % self.along, k / self.along);
+            i == 0 || i + 1 == self.along || j == 0 || j + 1 == self.across
+        };
+        pressure.iter().enumerate().any(|(k, &p)| p > 0.0 && is_border(k))
+    }
+
     /// A field of the elements seen in a mirror across x.
     pub fn mirrored<T: Copy>(&self, field: &[T]) -> Vec<T> {
         field.chunks_exact(self.along).flat_map(|row| row.iter().rev().copied()).collect()

@@ -40,6 +40,8 @@ pub struct UnlikeProblem<'a> {
     pub grid: &'a Grid,
     /// The bodies.
     pub material: &'a MaterialPair,
+    /// The same as tractions find them: softer in shear by what lies between them.
+    pub shearing: &'a MaterialPair,
     /// Undeformed distance at the centres of the elements [m].
     pub separation: &'a [f64],
     /// Approach or load.
@@ -61,6 +63,29 @@ pub struct UnlikeSolution {
     pub turns: usize,
     /// Whether they came to an end, and with them pressure and tractions.
     pub converged: bool,
+    /// Largest distance left between surfaces that carry pressure, or overlap left of others, over
+    /// the approach [-].
+    pub residual: f64,
+}
+
+impl UnlikeProblem<'_> {
+    /// The solution for bodies that roll towards -x.
+    #[must_use]
+    pub fn backward(&self) -> UnlikeSolution {
+        let grid = self.grid;
+        let found = steady_rolling_unlike(&UnlikeProblem {
+            separation: &grid.mirrored(self.separation),
+            friction: &grid.mirrored(self.friction),
+            rigid: &grid.mirrored_vectors(self.rigid),
+            ..*self
+        });
+        let pressure = grid.mirrored(&found.pressure.pressure);
+        UnlikeSolution {
+            pressure: PressureSolution { pressure, ..found.pressure },
+            tractions: found.tractions.mirrored(grid),
+            ..found
+        }
+    }
 }
 
 /// Most turns.
@@ -77,11 +102,11 @@ const APPROACH: f64 = 1e-10;
 /// Solves a problem.
 #[must_use]
 pub fn steady_rolling_unlike(problem: &UnlikeProblem<'_>) -> UnlikeSolution {
-    let &UnlikeProblem { grid, material, separation, press, friction, rigid } = problem;
+    let &UnlikeProblem { grid, material, shearing, separation, press, friction, rigid } = problem;
     let mut coupling = Coupling::new(grid, material);
     let solver = PressureSolver::new(*grid, material.contact_modulus);
     let mut solver = solver.with_tolerance(TOLERANCES[0]);
-    let influence = TangentialInfluence::rolling_slip(grid, material);
+    let influence = TangentialInfluence::rolling_slip(grid, shearing);
     let mut distance = separation.to_vec();
     let mut pressure = pressed(&mut solver, grid, &distance, press, None);
     let mut tractions = None::<Tractions>;
@@ -94,7 +119,7 @@ pub fn steady_rolling_unlike(problem: &UnlikeProblem<'_>) -> UnlikeSolution {
             *slip = [slip[0] + rigid[0], slip[1] + rigid[1]];
         }
         let own = match tractions {
-            None => steady_rolling(grid, material, &bound, &slip),
+            None => steady_rolling(grid, shearing, &bound, &slip),
             Some(last) => {
                 let start: Vec<[f64; 2]> =
                     last.x.iter().zip(&last.y).map(|(x, y)| [*x, *y]).collect();
@@ -120,7 +145,8 @@ pub fn steady_rolling_unlike(problem: &UnlikeProblem<'_>) -> UnlikeSolution {
         if is_settled || turns == MAX_TURNS {
             let are_found = pressure.converged && own.change <= friction::TOLERANCE;
             let converged = is_settled && are_found;
-            return UnlikeSolution { pressure, tractions: own, turns, converged };
+            let residual = left(&mut solver, &distance, &pressure);
+            return UnlikeSolution { pressure, tractions: own, turns, converged, residual };
         }
         tractions = Some(own);
         pressure = pressed(&mut solver, grid, &distance, press, Some(&pressure));
@@ -160,6 +186,19 @@ fn pressed(
     let approach = bracketed(low, (high, beyond), APPROACH * (high - least), &mut missing);
     missing(approach);
     found.unwrap_or_else(|| solver.at_approach(distance, approach, start))
+}
+
+/// Largest distance left where `pressure` acts, or overlap left elsewhere, over the approach.
+fn left(solver: &mut PressureSolver, distance: &[f64], pressure: &PressureSolution) -> f64 {
+    let PressureSolution { pressure, approach, .. } = pressure;
+    let mut displacement = vec![0.0; pressure.len()];
+    solver.displace(pressure, &mut displacement);
+    let left = pressure.iter().zip(distance).zip(displacement).map(|((p, distance), pressed)| {
+        let overlap = approach - distance - pressed;
+        if *p > 0.0 { overlap.abs() } else { overlap.max(0.0) }
+    });
+    let most = left.fold(0.0, f64::max);
+    if *approach == 0.0 { 0.0 } else { most / approach.abs() }
 }
 
 /// What pressure and tractions do to each other.
@@ -271,6 +310,7 @@ mod tests {
         let solution = steady_rolling_unlike(&UnlikeProblem {
             grid: &grid,
             material: &material,
+            shearing: &material,
             separation: &separation,
             press: Press::Load(16_201.9, 2.08e-3),
             friction: &vec![friction; grid.len()],

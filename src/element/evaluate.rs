@@ -62,6 +62,7 @@ impl Element {
     /// zones found no room.
     pub(super) fn forces(&mut self, input: &Input, output: &mut Output) -> u64 {
         self.models.turn_of_normals = 0.0;
+        self.models.is_uncoupled = false;
         output.clear();
         self.models.patches.clear();
         self.sunk = None;

@@ -50,11 +50,14 @@ pub enum Remark {
         /// Whether boundary elements were asked, which are no reference there.
         is_reference: bool,
     },
-    /// Wheel and rail are of materials so unlike that the pressure makes creep forces, which the models
-    /// of an element leave out.
+    /// Wheel and rail are of materials so unlike that the pressure makes creep forces, which are left
+    /// out.
     UnlikeMaterials {
         /// K, see [`MaterialPair`](crate::material::MaterialPair) [-].
         coupling: f64,
+        /// Whether the models would have it, but pressure and tractions did not settle; otherwise the
+        /// models leave it out.
+        did_not_settle: bool,
     },
     /// An input that was given has no effect with the parameters as they are.
     NoEffect {
@@ -189,11 +192,18 @@ impl fmt::Display for Message<'_> {
                 }
                 Ok(())
             }
-            Remark::UnlikeMaterials { coupling } => write!(
-                f,
-                "{prefix}wheel and rails are of unlike materials, K = {coupling:.4}: the pressure alone shifts the creepage of free rolling by \
-                 some K a/R, a half the length of a patch and R the radius; that is left out here, planar problems on boundary elements have it"
-            ),
+            Remark::UnlikeMaterials { coupling, did_not_settle } => {
+                write!(
+                    f,
+                    "{prefix}wheel and rails are of unlike materials, K = {coupling:.4}: the pressure alone shifts the creepage of free rolling \
+                     by some K a/R, a half the length of a patch and R the radius; "
+                )?;
+                f.write_str(if did_not_settle {
+                    "pressure and tractions did not settle together, and that is left out here; fewer elements may settle"
+                } else {
+                    "that is left out here, boundary elements for both models have it on bodies even along the track"
+                })
+            }
             Remark::NoEffect { input, parameter, chosen, with } => {
                 let of_side = if input.starts_with("wheelset.") { "" } else { prefix };
                 write!(

@@ -12,7 +12,6 @@ use super::vertical_load::is_carried;
 use super::wheel_on_rails::Element;
 use crate::geometry::profiles::profile::Profile;
 use crate::geometry::rail::placed_rail::PlacedRail;
-use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::NormalModel;
 
@@ -143,13 +142,19 @@ impl Element {
         self.height_near_touch(&input) - input.wheel.position[2] > super::start::FAR_ABOVE
     }
 
-    /// Whether the materials of wheel and rails are so unlike that creep forces are off.
+    /// Whether the materials of wheel and rails are so unlike that creep forces are off, as the models
+    /// leave that out or the solver did not settle.
     fn unlike_materials(&self, parameters: &Parameters, patch: &Patch) -> Option<Remark> {
-        let coupling = self.models.material.coupling;
+        let (material, is_coupled) = (&self.models.material, self.models.is_coupled());
+        if is_coupled && !self.models.is_uncoupled {
+            return None;
+        }
         let has_friction = parameters.tangential_model != TangentialModel::None
             && patch.friction_coefficient > 0.0;
-        let is_unlike = coupling.abs() > MaterialPair::<f64>::UNLIKE;
-        (has_friction && is_unlike).then_some(Remark::UnlikeMaterials { coupling })
+        (has_friction && material.is_unlike()).then_some(Remark::UnlikeMaterials {
+            coupling: material.coupling,
+            did_not_settle: is_coupled,
+        })
     }
 
     /// Whether the heaviest patch slides all over with a slip that no rolling wheel has.

@@ -84,8 +84,9 @@ const MAX_GROWTHS: usize = 6;
 const CLOSED: f64 = 1e-8;
 
 /// Solves for all that `line` and `rail` overlap where `search` has found them in contact, with
-/// about `elements` along and across each zone, of bodies with the contact modulus `modulus` [Pa];
-/// nothing where the iteration did not converge or no place was found.
+/// about `elements` along and across each zone, of bodies with the contact modulus `modulus` [Pa],
+/// on a grid with room for a contact that is `room` elements wider on each side; nothing where the
+/// iteration did not converge or no place was found.
 #[must_use]
 pub fn solve(
     line: &ContactLine,
@@ -93,6 +94,7 @@ pub fn solve(
     search: &ContactSearch,
     elements: [usize; 2],
     modulus: f64,
+    room: usize,
 ) -> Option<RailElements> {
     let arcs = rail.arcs();
     let section = Section { line, rail, arcs: &arcs };
@@ -111,7 +113,7 @@ pub fn solve(
     let size = element_size(&zones, box_of_load, elements);
     let origin = overlaps.iter().find_map(|overlap| overlap.end).unwrap_or(0.0);
     for _ in 0..MAX_GROWTHS {
-        let grid = lattice::covering(box_of_load, size, origin);
+        let grid = lattice::covering(box_of_load, size, origin, room);
         let found = section.solve_on(grid, &overlaps, modulus)?;
         match beyond(&found.grid, &found.pressure, box_of_load) {
             Some(grown) => box_of_load = grown,
@@ -135,9 +137,7 @@ impl Section<'_> {
         if approach <= 0.0 {
             return None;
         }
-        // What does not overlap is as far apart as the bodies overlap elsewhere.
-        let distance: Vec<f64> =
-            opposite.iter().map(|o| o.map_or(2.0 * approach, |o| approach - o.overlap)).collect();
+        let distance = distances(&opposite, approach);
         let mut solver = PressureSolver::new(grid, modulus).with_tolerance(CLOSED);
         let solution = solver.at_approach(&distance, approach, None);
         if solution.residual > TOLERANCE {
@@ -161,7 +161,20 @@ impl Section<'_> {
     }
 }
 
+/// Undeformed distance of the elements with these `opposite`, that of the overlap `approach` as 0
+/// [m].
+fn distances(opposite: &[Option<Opposite>], approach: f64) -> Vec<f64> {
+    // What does not overlap is as far apart as the bodies overlap elsewhere.
+    opposite.iter().map(|o| o.map_or(2.0 * approach, |o| approach - o.overlap)).collect()
+}
+
 impl RailElements {
+    /// Undeformed distance of the elements, from an approach of 0 on [m].
+    #[must_use]
+    pub fn distances(&self) -> Vec<f64> {
+        distances(&self.opposite, self.approach)
+    }
+
     /// Greatest angle between the normals of rows that carry pressure [rad].
     #[must_use]
     pub fn turn_of_normals(&self) -> f64 {

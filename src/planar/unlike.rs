@@ -72,7 +72,8 @@ pub(super) fn couple(
     let (_, law) = laws.first()?;
     let solution = steady_rolling_unlike(&UnlikeProblem {
         grid: &grid,
-        material: &law.material,
+        material,
+        shearing: &law.material,
         separation: &separation,
         press,
         friction: &friction,

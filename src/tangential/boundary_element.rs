@@ -12,6 +12,7 @@ use super::{Creepage, LoadedZone, Rolling, StripForce};
 use crate::boundary_element::friction::Tractions;
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::rolling::steady_rolling;
+use crate::boundary_element::unlike::{UnlikeProblem, UnlikeSolution, steady_rolling_unlike};
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 
@@ -201,6 +202,15 @@ pub fn rolling_tractions(
             let (bound, rigid) = (grid.mirrored(bound), grid.mirrored_vectors(rigid));
             steady_rolling(grid, material, &bound, &rigid).mirrored(grid)
         }
+    }
+}
+
+/// Pressure and tractions of bodies of unlike materials that roll either way.
+#[must_use]
+pub fn rolling_unlike(problem: &UnlikeProblem<'_>, rolling: Rolling) -> UnlikeSolution {
+    match rolling {
+        Rolling::Forward => steady_rolling_unlike(problem),
+        Rolling::Backward => problem.backward(),
     }
 }
 

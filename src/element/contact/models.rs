@@ -14,7 +14,7 @@ use crate::math::real::Real;
 use crate::normal::least_energy::{MIN_STRIPS, StripFollower, StripSolver};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{Descent, NormalModel, ShapeFit, Strips};
-use crate::tangential::Tangential;
+use crate::tangential::{Tangential, TangentialModel};
 
 /// Most loaded zones of one contact frame, and of a rail where it has no contact frames: as many as
 /// it may have overlaps.
@@ -68,6 +68,9 @@ pub struct Models<T = f64> {
     /// Greatest angle between normals of the elements that carry pressure on one rail, where
     /// boundary elements were solved on it [rad].
     pub turn_of_normals: f64,
+    /// Whether pressure and tractions on a rail were found as those of bodies of like materials, where
+    /// they should have been found together.
+    pub is_uncoupled: bool,
     /// All loaded zones of the evaluation under way.
     pub patches: FixedVec<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
@@ -82,6 +85,16 @@ impl Models {
     #[must_use]
     pub fn normal_residual(&self) -> f64 {
         self.strip_solver.as_ref().map_or(0.0, StripSolver::residual)
+    }
+
+    /// Whether pressure and tractions act on each other, the bodies being of unlike materials, and the
+    /// models can tell.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        self.normal == NormalModel::BoundaryElement
+            && self.tangential.model() == TangentialModel::BoundaryElement
+            && self.uneven.is_none()
+            && self.material.is_unlike()
     }
 
     /// The same models with memory for other numbers; without what only plain ones can be: a
@@ -116,6 +129,7 @@ impl Models {
             outline: rows.map(|rows| Box::new(MovingOutline::new(rows))),
             given: None,
             turn_of_normals: 0.0,
+            is_uncoupled: false,
             patches: FixedVec::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
@@ -180,6 +194,7 @@ impl Models {
             outline: None,
             given: None,
             turn_of_normals: 0.0,
+            is_uncoupled: false,
             patches: FixedVec::new(parameters.rails.len() * frames * zones),
             shear_yield: parameters.shear_yield,
             wear: None,

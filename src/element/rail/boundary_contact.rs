@@ -5,24 +5,21 @@
 //! [`rail_elements`](crate::normal::rail_elements). Loaded zones get their frames from their own
 //! resultants.
 
+use super::boundary_tractions::{RailRolling, ZoneState};
 use crate::element::contact::contact_setup::{ContactSetup, Damped};
-use crate::element::contact::given_tractions::GivenTractions;
 use crate::element::contact::models::Models;
-use crate::element::contact::rail_walk::RailPlace;
-use crate::element::contact::tractions::Tractions;
 use crate::element::output::Output;
-use crate::element::parameters::CreepageModel;
 use crate::element::work::Work;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::rail::placed_rail::PlacedRail;
-use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::math::real::Real;
 use crate::normal::Zone;
 use crate::normal::rail_elements::{self, RailElements, Row};
-use crate::tangential::boundary_element::rolling_tractions;
-use crate::tangential::{Convergence, Rolling, TangentialModel, UnderLaw};
+
+/// Elements that the grid of like bodies gets more on each side: room for what tractions do.
+const ROOM: usize = 2;
 
 /// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and
 /// adds the forces to `output`; returns how many zones found no room or fell back to a simpler
@@ -38,39 +35,71 @@ pub fn add<'a>(
 ) -> Option<u64> {
     let line = forces(*search.contacts.first()?, [0.0; 2], Damped::Alone).line;
     let modulus = models.material.contact_modulus;
-    let elements = &rail_elements::solve(&line, rail, search, models.elements, modulus)?;
+    let is_coupled = models.is_coupled();
+    let room = if is_coupled { ROOM } else { 0 };
+    let mut elements = rail_elements::solve(&line, rail, search, models.elements, modulus, room)?;
     models.rail_strips.clear();
     let mut left_out = elements.fill(&mut models.rail_strips) as u64;
+    let mut zones = rolling_zones(&elements, rail, forces, models);
+    let found = if let Some(zone) = zones.first() {
+        let setup = forces(zone.contact, [0.0; 2], zone.damped);
+        let rolling = RailRolling::of(&setup);
+        let mut coupled = None;
+        if is_coupled && rolling.has_friction(&elements, &zones, models) {
+            coupled = rolling.coupled(&elements, &zones, models);
+            models.is_uncoupled |= coupled.is_none();
+            left_out += u64::from(coupled.is_none());
+        }
+        match coupled {
+            None => rolling.tractions(&elements, &zones, models),
+            Some(coupled) => {
+                let alone = std::mem::replace(&mut elements.pressure, coupled.pressure);
+                elements.residual = coupled.residual;
+                models.rail_strips.clear();
+                left_out = elements.fill(&mut models.rail_strips) as u64;
+                zones = rolling_zones(&elements, rail, forces, models);
+                Some(rolling.sums(&elements, &zones, models, &coupled.tractions, &alone))
+            }
+        }
+    } else {
+        None
+    };
     output.normal_residual = output.normal_residual.max(elements.residual);
     models.turn_of_normals = models.turn_of_normals.max(elements.turn_of_normals());
-    let whole = Damped::Together([models.rail_strips.load(), elements.approach]);
-    let (mut contacts, mut states) = (Vec::new(), Vec::new());
+    let mut given = found.unwrap_or_default();
+    given.reverse();
+    for (index, ZoneState { contact, resultant_share, damped, .. }) in zones.into_iter().enumerate()
+    {
+        take_zone(&elements, rail, index, models);
+        models.given = given.pop();
+        let forces = ContactSetup { resultant_share, ..forces(contact, [0.0; 2], damped) };
+        let mut separation = LineSeparation::new(&forces.line, rail, contact);
+        left_out += forces.add_forces(&mut separation, models, output, work);
+    }
+    Some(left_out)
+}
+
+/// How the zones of the rail, which are in `models.rail_strips`, roll.
+fn rolling_zones<'a>(
+    elements: &RailElements,
+    rail: &PlacedRail,
+    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactSetup<'a>,
+    models: &mut Models,
+) -> Vec<ZoneState> {
+    let damped = Damped::Together([models.rail_strips.load(), elements.approach]);
+    let mut zones = Vec::new();
     for index in 0..models.rail_strips.zones.len() {
-        let (contact, share) = take_zone(elements, rail, index, models);
+        let (contact, resultant_share) = take_zone(elements, rail, index, models);
         let Zone { x, y, .. } = models.rail_strips.zones[index];
-        let forces = forces(contact, [0.0; 2], whole);
+        let forces = forces(contact, [0.0; 2], damped);
         let separation = LineSeparation::new(&forces.line, rail, contact);
         forces.fill_friction(&separation, &mut models.strips);
         let state = forces.rolling_state(models);
         let strips = &models.strips;
         let law = models.tangential.under_law(&strips.zones[0], strips, &models.material, &state);
-        contacts.push((contact, share));
-        states.push(ZoneState { law, centre: [x, y] });
+        zones.push(ZoneState { contact, resultant_share, damped, law, centre: [x, y] });
     }
-    let found = contacts.first().and_then(|(contact, _)| {
-        let forces = forces(*contact, [0.0; 2], whole);
-        tractions(elements, &forces, &forces.motion(), &states, models)
-    });
-    let mut given = found.unwrap_or_default();
-    given.reverse();
-    for (index, (contact, resultant_share)) in contacts.into_iter().enumerate() {
-        take_zone(elements, rail, index, models);
-        models.given = given.pop();
-        let forces = ContactSetup { resultant_share, ..forces(contact, [0.0; 2], whole) };
-        let mut separation = LineSeparation::new(&forces.line, rail, contact);
-        left_out += forces.add_forces(&mut separation, models, output, work);
-    }
-    Some(left_out)
+    zones
 }
 
 /// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal
@@ -88,19 +117,23 @@ fn take_zone(
     let range = zone.first..zone.first + zone.count;
     let (mut load, mut force, mut moment, mut forward) = (0.0, [0.0; 2], 0.0, 0.0);
     let (mut centre, mut penetration) = ([0.0; 2], 0.0_f64);
-    for_each_element(elements, all.elements.as_deref().map(|e| &*e.strip_of_row), |element| {
-        if !range.contains(&element.strip) {
-            return;
-        }
-        let [gx, gy, gz] = element.growth;
-        let ([y, z], own) = (element.point, element.load);
-        load += own;
-        forward += own * gx;
-        force = [force[0] + own * gy, force[1] + own * gz];
-        moment += own * (y * gz - z * gy);
-        centre = [centre[0] + own * y, centre[1] + own * z];
-        penetration = penetration.max(element.overlap);
-    });
+    let strip_of_row = all.elements.as_deref().map_or(&[][..], |field| &field.strip_of_row);
+    let strip = |j: usize| strip_of_row.get(j).copied().flatten();
+    let is_own = |j: usize| strip(j).is_some_and(|strip| range.contains(&strip));
+    for_each_element(
+        elements,
+        |j, k| is_own(j) && elements.pressure[k] > 0.0,
+        |element| {
+            let [gx, gy, gz] = element.growth;
+            let ([y, z], own) = (element.point, element.load);
+            load += own;
+            forward += own * gx;
+            force = [force[0] + own * gy, force[1] + own * gz];
+            moment += own * (y * gz - z * gy);
+            centre = [centre[0] + own * y, centre[1] + own * z];
+            penetration = penetration.max(element.overlap);
+        },
+    );
     let size = force[0].hypotenuse(force[1]).max(f64::MIN_POSITIVE);
     let normal = force.map(|f| f / size);
     let tangent = [normal[1], -normal[0]];
@@ -131,171 +164,50 @@ fn take_zone(
     (contact, share)
 }
 
-/// A loaded element.
-struct Loaded<'a> {
+/// An element at which the bodies overlap.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Overlapping<'a> {
     /// Its number.
-    k: usize,
-    strip: usize,
-    row: &'a Row,
+    pub k: usize,
+    /// The number of its row.
+    pub j: usize,
+    pub row: &'a Row,
     /// Place along the track [m].
-    x: f64,
+    pub x: f64,
     /// Point (y, z) of the wheel opposite to it [m].
-    point: [f64; 2],
-    overlap: f64,
-    growth: [f64; 3],
+    pub point: [f64; 2],
+    pub overlap: f64,
+    pub growth: [f64; 3],
     /// [N].
-    load: f64,
+    pub load: f64,
 }
 
-fn for_each_element<'a>(
+/// Hands the elements `asked` for by the numbers of their rows and their own to `each`, those at
+/// which the bodies overlap.
+pub(super) fn for_each_element<'a>(
     elements: &'a RailElements,
-    strip_of_row: Option<&[Option<usize>]>,
-    mut each: impl FnMut(Loaded<'a>),
+    asked: impl Fn(usize, usize) -> bool,
+    mut each: impl FnMut(Overlapping<'a>),
 ) {
     let (grid, area) = (&elements.grid, elements.grid.element_area());
-    let Some(strip_of_row) = strip_of_row else { return };
-    for (j, (row, strip)) in elements.rows.iter().zip(strip_of_row).enumerate() {
-        let (Some(row), Some(strip)) = (row, *strip) else { continue };
+    for (j, row) in elements.rows.iter().enumerate() {
+        let Some(row) = row else { continue };
         let normal = row.normal();
         for i in 0..grid.along {
             let k = j * grid.along + i;
-            let (Some(opposite), p) = (&elements.opposite[k], elements.pressure[k]) else {
+            let Some(opposite) = elements.opposite[k].as_ref().filter(|_| asked(j, k)) else {
                 continue;
             };
-            if p <= 0.0 {
-                continue;
-            }
-            each(Loaded {
+            each(Overlapping {
                 k,
-                strip,
+                j,
                 row,
                 x: grid.x(i),
                 point: [0, 1].map(|c| row.point[c] + opposite.overlap * normal[c]),
                 overlap: opposite.overlap,
                 growth: opposite.growth,
-                load: area * p,
+                load: area * elements.pressure[k],
             });
         }
     }
-}
-
-/// How a zone of the rail rolls: its creepage and state, for the tractions of all.
-#[derive(Clone, Copy, Debug)]
-struct ZoneState {
-    /// Creepage at the centroid of the load, friction, damping and speed, under the laws of
-    /// friction.
-    law: UnderLaw,
-    /// Centroid of the load along the track and on the arc [m].
-    centre: [f64; 2],
-}
-
-/// Tractions of all zones of a rail together, one for each of `zones`; nothing where there is
-/// nothing to compute or no solution was found. `forces` is of any of the zones.
-fn tractions(
-    elements: &RailElements,
-    forces: &ContactSetup,
-    motion: &RelativeMotion,
-    zones: &[ZoneState],
-    models: &Models,
-) -> Option<Vec<GivenTractions>> {
-    if models.tangential.model() != TangentialModel::BoundaryElement {
-        return None;
-    }
-    let all = &models.rail_strips;
-    let strip_of_row = all.elements.as_deref().map(|field| &*field.strip_of_row);
-    let zone_of_strip = |j: usize| {
-        all.zones.iter().position(|zone| (zone.first..zone.first + zone.count).contains(&j))
-    };
-    let heaviest =
-        (0..zones.len()).max_by(|&a, &b| all.zones[a].load.total_cmp(&all.zones[b].load))?;
-    let (grid, area) = (&elements.grid, elements.grid.element_area());
-    let mut bound = vec![0.0; grid.len()];
-    let mut rigid = vec![[0.0; 2]; grid.len()];
-    let mut found: Vec<GivenTractions> = zones
-        .iter()
-        .zip(all.zones.iter())
-        .map(|(_, zone)| GivenTractions {
-            creepage: Creepage::default(),
-            tractions: Tractions::default(),
-            convergence: Convergence::default(),
-            strips: vec![[0.0; 2]; zone.count],
-        })
-        .collect();
-    let in_track = |element: &Loaded| {
-        let point = element.row.wheel_point(element.x, element.overlap);
-        forces.frame.point(point, element.x)
-    };
-    // Of the wheel opposite: where a rail rises, the bodies close along the track, which is no slip
-    // across.
-    let axes_of = |element: &Loaded| {
-        let [_, y, z] = element.growth;
-        let size = y.hypotenuse(z);
-        let [tangent, normal] =
-            [[z, -y], [y, z]].map(|v| forces.frame.direction(v.map(|c| c / size)));
-        ContactAxes::along(forces.frame.along(), tangent, normal).leaning(element.row.course.lean)
-    };
-    // Of a row of elements, each of which has a place on the arc of its own.
-    let own_friction =
-        |row: usize, x: f64| forces.strip_friction(&RailPlace::at(&forces.rail, grid.y(row)), x);
-    for_each_element(elements, strip_of_row, |element| {
-        let Some(z) = zone_of_strip(element.strip) else { return };
-        let ZoneState { law, centre } = &zones[z];
-        let state = &law.state;
-        let own = own_friction(element.k / grid.along, element.x);
-        let friction = own.map_or(state.friction, |own| own.under(&law.factors));
-        bound[element.k] = friction * state.load_factor * elements.pressure[element.k];
-        let own = if models.creepage == CreepageModel::Curved {
-            let axes = axes_of(&element);
-            // As if the wheel were laid flat along the track, as its contact is: the point of its
-            // outline at the place of the element.
-            let at = element.row.wheel_point(element.x, element.row.overlap);
-            let at = forces.frame.point(at, element.x);
-            motion.creepage(at, &axes, state.speed)
-        } else {
-            let Creepage { longitudinal, lateral, spin } = state.creepage;
-            let (x, y) = (element.x - centre[0], grid.y(element.k / grid.along) - centre[1]);
-            Creepage { longitudinal: longitudinal - spin * y, lateral: lateral + spin * x, spin }
-        };
-        rigid[element.k] = [own.longitudinal, own.lateral];
-        let mean = &mut found[z].creepage;
-        let weight = element.load / all.zones[z].load;
-        mean.longitudinal += weight * own.longitudinal;
-        mean.lateral += weight * own.lateral;
-        mean.spin += weight * own.spin;
-    });
-    if bound.iter().all(|&g| g <= 0.0) || rigid.iter().flatten().all(|w| *w == 0.0) {
-        return None;
-    }
-    let material = zones[heaviest].law.material;
-    let forward = zones[heaviest].law.state.forward_share;
-    for (rolling, share) in [(Rolling::Forward, forward), (Rolling::Backward, 1.0 - forward)] {
-        if share <= 0.0 {
-            continue;
-        }
-        let solution = rolling_tractions(grid, &material, &bound, &rigid, rolling);
-        if !solution.converged {
-            return None;
-        }
-        let convergence = Convergence::to(solution.residual);
-        for GivenTractions { convergence: own, .. } in &mut found {
-            *own = own.and(convergence);
-        }
-        for_each_element(elements, strip_of_row, |element| {
-            let Some(z) = zone_of_strip(element.strip) else { return };
-            let k = element.k;
-            let [px, py] = [solution.x[k], solution.y[k]].map(|p| share * area * p);
-            let axes = axes_of(&element);
-            let force = axes.longitudinal * px + axes.lateral * py;
-            let dissipation = -(px * rigid[k][0] + py * rigid[k][1]);
-            let slip_area = if solution.slips[k] { share * area } else { 0.0 };
-            let GivenTractions { tractions, strips, .. } = &mut found[z];
-            tractions.force += force;
-            tractions.moment += in_track(&element).cross(&force);
-            tractions.dissipation += dissipation;
-            tractions.slip_area += slip_area;
-            let strip = &mut strips[element.strip - all.zones[z].first];
-            *strip = [strip[0] + dissipation, strip[1] + slip_area];
-        });
-    }
-    Some(found)
 }

@@ -2,6 +2,7 @@
 //! models.
 
 pub(super) mod boundary_contact;
+mod boundary_tractions;
 pub(super) mod cut_strip;
 pub(super) mod flattened;
 pub(super) mod local_line;

@@ -217,10 +217,11 @@ impl RailContact {
         if is_boundary && !self.search.contacts.is_empty() {
             let search = &self.search;
             let added = boundary_contact::add(&self.rail, search, &forces, models, output, work);
-            match added {
-                Some(fallbacks) => return left_out + fallbacks,
-                None => left_out += 1,
+            if let Some(fallbacks) = added {
+                return left_out + fallbacks;
             }
+            left_out += 1;
+            models.is_uncoupled |= models.is_coupled();
         }
         for index in 0..self.search.contacts.len() {
             let (rail, search) = (&self.rail, &mut self.search);

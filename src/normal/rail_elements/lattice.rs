@@ -73,11 +73,17 @@ pub(super) fn element_size(
     size.map(|size| ((larger * size).log2() * RUNGS).floor() / RUNGS).map(f64::exp2)
 }
 
-/// The part of the lattice of elements of `size` that covers a box and a margin; along the track an
-/// element begins at `origin` [m].
-pub(super) fn covering([x, y]: [[f64; 2]; 2], [dx, dy]: [f64; 2], origin: f64) -> Grid {
+/// The part of the lattice of elements of `size` that covers a box, a margin and `room` more
+/// elements on each side; along the track an element begins at `origin` [m].
+pub(super) fn covering(
+    [x, y]: [[f64; 2]; 2],
+    [dx, dy]: [f64; 2],
+    origin: f64,
+    room: usize,
+) -> Grid {
+    let margin = MARGIN + room as f64;
     let cells = |range: [f64; 2], size: f64| {
-        [(range[0] / size).floor() - MARGIN, (range[1] / size).ceil() + MARGIN]
+        [(range[0] / size).floor() - margin, (range[1] / size).ceil() + margin]
     };
     let x = x.map(|x| x - origin);
     let ([x_first, x_end], [y_first, y_end]) = (cells(x, dx), cells(y, dy));

@@ -6,6 +6,7 @@
 mod drifting_patch;
 mod limits;
 mod unlike;
+mod unlike_wheel;
 mod wheel;
 
 use crate::common;

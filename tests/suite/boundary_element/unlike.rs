@@ -3,7 +3,7 @@
 use super::*;
 use wheelrail::planar::{Indentation, PlanarResult, StepMotion, TransientContact};
 
-const ALUMINIUM: Material = Material { young_modulus: 6.026e10, poisson_ratio: 0.31 };
+pub(super) const ALUMINIUM: Material = Material { young_modulus: 6.026e10, poisson_ratio: 0.31 };
 
 /// A wheel on a rail, 60 kN, of these materials, at a creepage.
 fn case(

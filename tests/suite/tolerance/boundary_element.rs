@@ -89,4 +89,17 @@ super::entry::tolerances! {
     /// Forces of bodies whose moduli differ by a millionth against those of like ones, over the limit:
     /// another grid, and sweeps that end earlier.
     UNLIKE_NEARLY: f64 = 2e-3;
+
+    /// Forces on a wheel of unlike materials against those of the planar problem of its contact, over
+    /// the limit, beyond what the two differ by with like ones: sizes of elements differ, in which such
+    /// forces are of first order.
+    UNLIKE_FRAMES: f64 = 5e-3;
+
+    /// Distance left in the contact of a wheel of unlike materials over the overlap: the last of the
+    /// turns.
+    BOUNDARY_UNLIKE_GAP: f64 = 1e-5;
+
+    /// Power that such a wheel gives less that which friction loses, over friction limit times speed, at
+    /// 24 elements: of first order in their size.
+    UNLIKE_POWER: f64 = 1e-4;
 }
