@@ -44,6 +44,7 @@ mod friction_law;
 mod friction_over_rail;
 mod fuzz_corpus;
 mod geometry;
+mod ground_rail;
 mod hard_profiles;
 mod host;
 mod host3;

@@ -35,6 +35,18 @@ super::entry::tolerances! {
     PLANAR_40: [[f64; 2]; 3] = [[0.02, 0.1], [0.5, 3.0], [0.5, 2.0]],
         target [[0.02, 0.1], [0.1, 3.0], [0.5, 2.0]];
 
+    /// Strips against boundary elements where a wheel stands on five narrow ridges of a ground rail,
+    /// vertical force at one height [-]: what is asked of kinked outlines.
+    KINKED_FORCE: f64 = 0.015;
+
+    /// Fall of the force of strips on that rail as the wheel comes down by a quarter of a micrometre,
+    /// over the force [-]: nodes move over the kinks; the force of forty does not fall.
+    KINKED_FALL: f64 = 1e-3, target 0.0;
+
+    /// Stiffness of forty strips on that ground rail, over each quarter of a micrometre, over that of
+    /// boundary elements [-]: nodes move over the kinks as the wheel comes down.
+    KINKED_SLOPE: f64 = 0.25, target 0.1;
+
     /// Most Newton steps of strips in any planar case: a third of what the solver allows.
     PLANAR_STEPS: u64 = 14;
 
