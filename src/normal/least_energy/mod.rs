@@ -55,7 +55,7 @@ use zones::Zones;
 /// Least nodes of an overlap.
 pub const MIN_STRIPS: usize = 8;
 /// Most nodes of a rail over those of one overlap that is a parabola: ground rails touch in five or six
-/// narrow zones. And how many at most, as work grows with their cube: 2 ms.
+/// narrow zones. And how many at most, as work grows with their cube: room for 200 asked for.
 const MOST: [usize; 2] = [6, 240];
 
 /// Work of one solver since it was made.

@@ -7,12 +7,12 @@
 //! M = (n/A) ∫ hypot(E^(1/4) s dy/∫ s dy, ½ |d(s^(3/2)/E^(5/4))|),   E = 7/6 ∫ s³ dy/∫ s² dy
 //! ```
 //!
-//! where the integrals go over the lobe that a place belongs to, of which E is the height. Of
-//! an interval's nodes those on a pedestal p (`lobes`) come 1 + 2 p times as densely as others, as on
-//! ground rails the tops alone carry load. The measure is counted from its mean weighted by s². A is the integral for a parabola, so that a
-//! parabola has n nodes; a second lobe has E^(1/4) times as many, however narrow it is and however
-//! far away. A lobe grows out of nothing, and two lobes that join have the same nodes before and
-//! after.
+//! where the integrals go over the lobe that a place belongs to, of which E is the height. Of the
+//! nodes of an interval those on a pedestal p (`lobes`) come 1 + 2 p times as densely as others, as
+//! on ground rails the tops alone carry load. The measure is counted from its mean weighted by s².
+//! A is the integral for a parabola, so that a parabola has n nodes; a second lobe has E^(1/4) times
+//! as many, however narrow it is and however far away. A lobe grows out of nothing, and two lobes
+//! that join have the same nodes before and after.
 
 use std::array::from_fn;
 
@@ -24,7 +24,7 @@ use crate::math::real::Real;
 
 /// The integral of the measure for a parabola, n/A apart.
 const PARABOLA: f64 = 1.5;
-/// How much denser nodes are on a pedestal as deep as the parabola: up to 4 alike on ground rails.
+/// How much denser nodes are on a pedestal as deep as the parabola; chosen: 1 to 4 do as well.
 const ON_PEDESTAL: f64 = 2.0;
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
