@@ -1,16 +1,16 @@
 //! The height at which one rail carries a given load, by the stiffness of its contacts.
 //!
 //! At a pose near it strips say how far down the wheel has to go for a vertical force of theirs, with
-//! the geometry as it is ([`Descent`]). What creep forces add is known after them, and
-//! hardly changes with the way: so the force that is asked for follows. The geometry of a pose is
-//! wrong by a thousandth of the way or so; that is how much nearer the next pose is, and two poses
-//! tell it, for the third one to be nearer still. Contacts by themselves, with their creep forces,
-//! say where the first pose is. Normal models that solve contacts by themselves go on from there by
-//! secants of whole evaluations.
+//! the geometry as it is ([`Descent`]), and what creep forces add there. Both change a little with
+//! the height and with the normal force: two equations in two unknowns, which Broyden's method
+//! solves from what they would be if the geometry and the share of creep forces stayed. Contacts by
+//! themselves, with their creep forces, say where the first pose is. Normal models that solve
+//! contacts by themselves go on from there by secants of whole evaluations.
 
 use super::input::Input;
 use super::output::Output;
 use super::parameters::{FoundationModel, Side};
+use super::quasi_static_rails::solve;
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
 use crate::normal::{Descent, Pose};
@@ -19,17 +19,17 @@ use crate::normal::{Descent, Pose};
 const MOST_TRIALS: usize = 12;
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
 const MISSING: f64 = 1e-10;
-const MISPLACED: f64 = 1e-10;
-/// Share of a way that the geometry is wrong by at least, whatever two poses tell, and where there
-/// is one pose alone: what lateral forces on flanges change by.
+const MISPLACED: f64 = 1e-9;
+/// Share of a way that the geometry is wrong by at least, whatever poses tell, and where there is
+/// one pose alone: what lateral forces on flanges change by.
 const WRONG: [f64; 2] = [1e-3, 0.05];
 /// Depth over that of the load about from which on a pose is too far for a guess.
 const FAR: f64 = 3.0;
-/// Greatest share that two poses are believed to tell.
-const MOST_WRONG: f64 = 0.5;
+/// Greatest way over the depth of the load that stays within what poses have told.
+const LONGEST: f64 = 0.5;
 
 /// A pose, and what its geometry led to.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Placed {
     /// Height of the marker, and the way down from it [m].
     z: f64,
@@ -46,46 +46,81 @@ struct Placed {
 }
 
 impl Placed {
-    /// How the force of all grows with that of the normal loads: as friction does that bears a share
-    /// of the load, or as another state at the same pose tells.
-    fn rate(&self, other: Option<&Self>) -> f64 {
-        let ratio = self.carried / self.normal;
-        let secant = |other: &Self| (self.carried - other.carried) / (self.normal - other.normal);
-        // Friction does not bear half of a load: beyond that the difference is one of rounding.
-        let rate = other.map(secant).filter(|rate| (rate / ratio - 1.0).abs() < 0.5);
-        rate.unwrap_or(ratio)
-    }
-
-    /// The way from here to another `normal` force [m].
-    fn way_to(&self, normal: f64) -> f64 {
-        way_between(self.normal, self.stiffness, normal)
-    }
-
-    /// How far the wheel has to go down over the way that the geometry of the pose tells, by the
-    /// ways from two poses [-].
-    fn growth(&self, before: Option<&Self>) -> f64 {
-        let growth = before.map(|before| {
-            let told = before.way + before.way_to(self.normal) - self.way;
-            (self.z - before.z) / told
-        });
-        growth.filter(|growth| (growth - 1.0).abs() < MOST_WRONG).unwrap_or(1.0)
+    /// How many times as much as the normal loads all forces bear [-].
+    fn ratio(&self) -> f64 {
+        self.carried / self.normal
     }
 
     /// What is known of how the load is carried, at another height and normal force.
     fn carried_at(&self, z: f64, normal: f64) -> Carried {
-        let (stiffness, ratio) = (self.stiffness, self.carried / self.normal);
-        Carried { z, normal, stiffness, ratio, aside: None }
+        Carried { z, normal, stiffness: self.stiffness, ratio: self.ratio(), aside: None }
     }
 
-    /// Share of the load by which forces are off because of the geometry, as far as the pose before
-    /// tells: the vertical one by what the way was wrong, the lateral one by how much it changed.
-    fn error(&self, load: f64, before: Option<&Self>) -> f64 {
-        let [share, turned] = before.map_or([WRONG[1], 0.0], |before| {
-            let told = before.way + before.way_to(self.normal);
-            [(self.way / told).abs(), (self.aside - before.aside).abs()]
-        });
-        let lowered = (self.way * self.stiffness / load).abs();
-        lowered * share.max(WRONG[0]) + share * turned
+    /// Height and normal force at which the load is carried if the geometry and the share of creep
+    /// forces stay [m, N].
+    fn next(&self, load: f64) -> [f64; 2] {
+        let normal = load / self.ratio();
+        [self.z + self.way + way_between(self.normal, self.stiffness, normal), normal]
+    }
+}
+
+/// The two equations of a load: no way is to be left from a pose down to where it has its normal
+/// force, and nothing is to be missing of the load there. Unknowns and residuals are over the load
+/// and its depth, load over stiffness.
+struct Balance {
+    load: f64,
+    depth: f64,
+    /// What a step of height and normal force takes off each residual.
+    matrix: [[f64; 2]; 2],
+    last: Placed,
+    /// Share of the load by which forces are off because of the geometry, as far as poses tell: the
+    /// vertical one by what the way was wrong, the lateral one by how much it changed.
+    error: f64,
+}
+
+impl Balance {
+    fn at(first: Placed, load: f64) -> Self {
+        let depth = load / first.stiffness;
+        let matrix = [[1.0, -1.0], [0.0, first.ratio()]];
+        let error = (first.way / depth).abs() * WRONG[1];
+        Self { load, depth, matrix, last: first, error }
+    }
+
+    /// Way and load left at a pose.
+    fn left(&self, at: &Placed) -> [f64; 2] {
+        [at.way / self.depth, (self.load - at.carried) / self.load]
+    }
+
+    /// Takes over what another pose tells (Broyden 1965).
+    fn take(&mut self, here: Placed) {
+        let (left, before) = (self.left(&here), self.left(&self.last));
+        let last = &self.last;
+        let step = [(here.z - last.z) / self.depth, (here.normal - last.normal) / self.load];
+        let square = step[0] * step[0] + step[1] * step[1];
+        if square > 0.0 {
+            for (i, row) in self.matrix.iter_mut().enumerate() {
+                let off = before[i] - left[i] - row[0] * step[0] - row[1] * step[1];
+                row[0] += off * step[0] / square;
+                row[1] += off * step[1] / square;
+            }
+        }
+        let share = (self.matrix[0][0] - 1.0).abs().max(WRONG[0]);
+        let turned = (here.aside - last.aside) * left[0] / (before[0] - left[0]);
+        self.error = (share * left[0]).abs() + turned.abs();
+        self.last = here;
+    }
+
+    fn is_met(&self) -> bool {
+        self.error <= MISPLACED && self.left(&self.last)[1].abs() <= MISSING
+    }
+
+    /// Height and normal force to be tried next, after at least two poses [m, N].
+    fn next(&self) -> [f64; 2] {
+        let step = solve(self.matrix, self.left(&self.last));
+        step.filter(|[down, _]| down.abs() < LONGEST).map_or_else(
+            || self.last.next(self.load),
+            |[down, more]| [self.last.z + down * self.depth, self.last.normal + more * self.load],
+        )
     }
 }
 
@@ -249,10 +284,10 @@ impl Element {
             (clear.is_finite().then(|| self.guess(clear, input, output))??, Pose::New)
         };
         input.wheel.position[2] = about.z;
-        let descent = Descent::to(about.normal).from(pose, 0.0);
+        let descent = Descent::to(about.normal).at(pose);
         let here = self.press(descent, input, output)?;
-        let normal = here.normal + (input.wheel_load - here.carried) / here.rate(None);
-        Some(here.carried_at(here.z + here.way + here.way_to(normal), normal))
+        let [z, normal] = here.next(input.wheel_load);
+        Some(here.carried_at(z, normal))
     }
 
     /// The same by the poses that strips tell the way from.
@@ -263,28 +298,24 @@ impl Element {
         input: &mut Input,
         output: &mut Output,
     ) -> Option<u64> {
-        let load = input.wheel_load;
-        let (Carried { mut z, mut normal, .. }, mut way) = (about, 0.0);
-        let (mut before, mut last) = (None::<Placed>, None::<Placed>);
+        let Carried { mut z, mut normal, .. } = about;
+        let mut balance = None::<Balance>;
         for _ in 0..MOST_TRIALS {
             input.wheel.position[2] = z;
-            let descent = Descent::to(normal).from(pose, way);
-            let here = self.press(descent, input, output)?;
-            let missing = load - here.carried;
-            let is_placed = here.error(load, before.as_ref()) <= MISPLACED;
-            if is_placed && missing.abs() <= MISSING * load {
-                z += here.growth(before.as_ref()) * here.way;
+            let here = self.press(Descent::to(normal).at(pose), input, output)?;
+            if let Some(balance) = &mut balance {
+                balance.take(here);
+            }
+            let told = balance.is_some();
+            let balance = balance.get_or_insert_with(|| Balance::at(here, input.wheel_load));
+            if balance.is_met() {
+                z += here.way;
                 input.wheel.position[2] = z;
                 self.carried = Some(here.carried_at(z, here.normal));
                 return Some(here.left_out);
             }
-            normal = here.normal + missing / here.rate(last.as_ref());
-            if is_placed {
-                (pose, way, last) = (Pose::Same, here.way, Some(here));
-            } else {
-                z = here.z + here.growth(before.as_ref()) * (here.way + here.way_to(normal));
-                (pose, way, before, last) = (Pose::Near, 0.0, Some(here), None);
-            }
+            [z, normal] = if told { balance.next() } else { here.next(input.wheel_load) };
+            pose = Pose::Near;
         }
         None
     }

@@ -44,10 +44,10 @@ impl Descent {
         }
     }
 
-    /// The same from a `way` down on, at a `pose` [m].
+    /// The same at a `pose`.
     #[must_use]
-    pub fn from(self, pose: Pose, way: f64) -> Self {
-        Self { pose, way, ..self }
+    pub fn at(self, pose: Pose) -> Self {
+        Self { pose, ..self }
     }
 
     /// Share of the way down by which the overlap at a place with so much unit `tangent` grows.
@@ -97,8 +97,6 @@ pub enum Pose {
     New,
     /// It is so near that the last solution is a start.
     Near,
-    /// It is the same, with the geometry that was found for it, at the last way down.
-    Same,
 }
 
 /// What is known of how a force grows on the way down.

@@ -34,8 +34,6 @@ pub struct RailContact {
     /// Stretches of the contact line that may touch.
     ranges: FixedVec<[f64; 2]>,
     pub(in crate::element) search: ContactSearch,
-    /// Whether the last evaluation searched for contacts.
-    pub(in crate::element) is_met: bool,
     /// Distance of the contact line from the rail over all contacts.
     pub(in crate::element) probes: FixedVec<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
@@ -85,7 +83,6 @@ impl RailContact {
             around: None,
             ranges: FixedVec::new(MAX_RANGES),
             search: ContactSearch::new(&wheel.curve),
-            is_met: false,
             probes: FixedVec::new(MAX_PROBES),
             wheel: wheel.clone(),
             rail_name: rail_name.into(),

@@ -18,7 +18,7 @@ use crate::geometry::contacts::separation::Separation;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
-use crate::normal::{self, Descent, NormalModel, NormalProblem, Pose, Slope};
+use crate::normal::{self, Descent, NormalModel, NormalProblem, Slope};
 
 /// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which
 /// on one without a force is [m].
@@ -78,14 +78,11 @@ impl RailContact {
         sunk: &mut Option<f64>,
     ) -> u64 {
         let before = (self.search.evaluations, self.search.left_out);
-        let is_same = models.descent.is_some_and(|descent| descent.pose == Pose::Same);
-        let is_met = if is_same { self.is_met } else { self.search_contacts(k, input) };
-        self.is_met = is_met;
-        if !is_met {
+        if !self.search_contacts(k, input) {
             work.lifted += 1;
             return 0;
         }
-        work.searches += u64::from(!is_same);
+        work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let left_out = self.search.left_out - before.1;
         let contacts = &self.search.contacts;

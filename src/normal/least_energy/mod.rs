@@ -130,17 +130,14 @@ impl StripSolver {
     ) -> usize {
         self.work.solved += 1;
         let pose = descent.as_ref().map_or(Pose::New, |descent| descent.pose);
-        if pose != Pose::Same {
-            self.newton.residual = 0.0;
-            self.overlaps.fill(line, probes, level);
-            self.lattice.lay(line, &self.overlaps);
-        }
+        self.newton.residual = 0.0;
+        self.overlaps.fill(line, probes, level);
+        self.lattice.lay(line, &self.overlaps);
         if self.lattice.nodes.is_empty() {
             return 0;
         }
         let before = self.newton.steps;
-        let mut settled =
-            pose == Pose::Same || self.newton.solve(&self.lattice, pose == Pose::Near);
+        let mut settled = self.newton.solve(&self.lattice, pose == Pose::Near);
         if let Some(descent) = descent {
             settled &= self.descend(descent, contact_modulus);
         }
