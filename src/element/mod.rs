@@ -1,6 +1,7 @@
 //! The contact element: one wheel and the rails under it.
 
 mod adjoint;
+mod balance;
 mod contact;
 mod derivative_memory;
 mod derivatives;
@@ -30,10 +31,11 @@ mod work;
 pub(crate) mod work_pairs;
 mod worn_profiles;
 
+pub(crate) use balance::{Balance, Carried};
 pub(crate) use free_rolling::FreeRolling;
 pub use gradient::{Gradient, ParameterSlopes};
 pub use input::Input;
-pub(crate) use load_by_stiffness::Carried;
+pub(crate) use load_by_stiffness::PosedWheel;
 pub use output::Output;
 pub use parameters::Parameters;
 pub use parameters::foundation::TrackState;

@@ -16,17 +16,19 @@
 //! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
 //! fallback.
 
+use super::balance::Carried;
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, move_all};
-use super::load_by_stiffness::Carried;
+use super::load_by_stiffness::To;
 use super::output::Output;
-use super::parameters::VerticalMode;
 use super::parameters::foundation::TrackState;
+use super::parameters::{FoundationModel, Side, VerticalMode};
 use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
 use crate::math::real::Real;
 use crate::math::root::outward;
+use crate::normal::Pose;
 
 /// Steps of Newton's method after which the equilibrium counts as missed.
 const MAX_STEPS: usize = 40;
@@ -45,49 +47,28 @@ const FIRST_WAY: f64 = 1e-3;
 const MAX_WAY: f64 = 0.05;
 /// Step aside after which the height that was found for the last deflection is a start [m].
 const NEAR: f64 = 1e-5;
-/// Greatest growth of the deflection that springs let rails have with that which they have, up to
-/// which there is one solution about, which moves on with the inputs [-].
+/// Greatest growth of the deflection that springs let rails have with that which they have, on the
+/// way out from none, up to which there is one solution about [-].
 const MOST_GROWTH: f64 = 0.5;
 /// Load over penetration^(3/2) of a wheel on a rail, for the first guess [N/m^1.5].
 const STIFFNESS: f64 = 7e10;
 
-/// A lateral deflection of rails under a given load.
-#[derive(Clone, Copy, Debug)]
-struct Aside {
-    /// The deflection, and how much farther the springs would let the rails go [m].
-    y: f64,
-    left: f64,
-    /// How the deflection that the springs would let them have goes with that which they have [-].
-    growth: f64,
-    fallbacks: u64,
-}
-
-/// Trials of lateral deflections, each from the one before where that is near.
+/// Trials of lateral deflections under a given load, each from the one before where that is near.
 struct Trials<'a> {
     element: &'a mut Element,
     given: &'a Input,
     sunk: f64,
-    last: Aside,
+    last: f64,
     carried: Option<Carried>,
 }
 
-impl<'a> Trials<'a> {
-    fn new(element: &'a mut Element, given: &'a Input) -> Self {
-        let sunk = element.sunk_under_load(given);
-        let last = Aside { y: 0.0, left: f64::INFINITY, growth: 0.0, fallbacks: 0 };
-        Self { element, given, sunk, last, carried: None }
-    }
-
+impl Trials<'_> {
     /// How much farther the springs would let rails go from `y` [m].
     fn left(&mut self, y: f64, input: &mut Input, output: &mut Output) -> f64 {
-        let step = y - self.last.y;
+        let step = y - self.last;
         self.element.expect(self.carried.filter(|_| step.abs() <= NEAR));
-        let ([left, _], fallbacks) =
-            self.element.try_deflection(self.given, [y, self.sunk], input, output);
-        self.carried = self.element.carried;
-        let growth = 1.0 + (left - self.last.left) / step;
-        let growth = if growth.is_finite() { growth } else { 0.0 };
-        self.last = Aside { y, left, growth, fallbacks };
+        let ([left, _], _) = self.element.try_deflection(self.given, [y, self.sunk], input, output);
+        (self.carried, self.last) = (self.element.carried, y);
         left
     }
 }
@@ -188,10 +169,9 @@ impl Element {
         let key = without_height(&given);
         let (y, left) = match self.rested {
             Some((known, [y, _], left)) if known == key => (y, left),
-            _ => {
-                let Aside { y, left, .. } = self.aside_from_none(&given, input, output);
-                (y, left)
-            }
+            _ => self
+                .aside_by_stiffness(&given, input, output)
+                .unwrap_or_else(|| self.aside_from_none(&given, input, output)),
         };
         // The forces are those of rails that are put there, whatever led to it.
         let deflection = [y, self.sunk_under_load(&given)];
@@ -200,25 +180,32 @@ impl Element {
         (deflection, left, fallbacks)
     }
 
-    /// How the load of `input` is carried on rails without mass, near where that is `expected`, if
-    /// they are to be sought there; they are then known to rest there under this input. Nothing
-    /// where they do not, or strips do not tell.
-    pub(super) fn carried_at_rest(
+    /// The lateral deflection under a given load, and what is left of it [m], by the stiffness of the
+    /// contacts; nothing where that does not lead to it, or not to one that is the first one on the
+    /// way out for sure.
+    fn aside_by_stiffness(
         &mut self,
+        given: &Input,
         input: &mut Input,
-        expected: Option<Carried>,
         output: &mut Output,
-    ) -> Option<Carried> {
-        let given = *input;
-        let near = expected.and_then(|about| self.aside_near(&given, about, input, output));
-        let found = near.unwrap_or_else(|| self.aside_from_none(&given, input, output));
-        let Aside { y, left, growth, fallbacks } = found;
-        if fallbacks > 0 || left.abs() > MISSED {
-            return None;
+    ) -> Option<(f64, f64)> {
+        let held = self.held_under_load(given).filter(|_| given.wheel_load > 0.0)?;
+        *input = given.with_rails_moved([0.0, self.sunk_under_load(given)], [0.0; 2]);
+        input.wheel.position[2] = -self.nominal_radius;
+        let clear = self.height_near_touch(input);
+        let about = clear.is_finite().then(|| self.guess(clear, input, output))??;
+        let found = self.balanced(held, &about, Pose::New, To::OneBefore, given, input, output)?;
+        let is_sure = (1.0 - found.at_once).abs() < MOST_GROWTH && found.left_out == 0;
+        is_sure.then_some((found.carried.aside, 0.0))
+    }
+
+    /// Under a load, rails are known to rest aside as it is `carried` on them.
+    pub(crate) fn known_to_rest(&mut self, input: &Input, carried: &Carried) {
+        let given = if self.side == Side::Left { input.mirrored() } else { *input };
+        if self.foundation.model == FoundationModel::Massless {
+            let deflection = [carried.aside, self.sunk_under_load(&given)];
+            self.rested = Some((without_height(&given), deflection, 0.0));
         }
-        self.rested = Some((without_height(&given), [y, self.sunk_under_load(&given)], left));
-        let aside = (growth.abs() < MOST_GROWTH).then_some(y);
-        Some(self.carried?.on_rails(aside))
     }
 
     /// How far rails sink under a given load [m].
@@ -227,39 +214,17 @@ impl Element {
     }
 
     /// The lateral deflection that is met first on the way out from none.
-    fn aside_from_none(&mut self, given: &Input, input: &mut Input, output: &mut Output) -> Aside {
-        let mut trials = Trials::new(self, given);
-        let level = trials.left(0.0, input, output);
-        let first = level.clamp(-FIRST_WAY, FIRST_WAY);
-        let (y, left) =
-            outward(level, first, MAX_WAY, RESOLUTION, |y| trials.left(y, input, output));
-        Aside { y, left, ..trials.last }
-    }
-
-    /// That beside the one which is expected, by secants; nothing where they do not lead to one.
-    fn aside_near(
+    fn aside_from_none(
         &mut self,
         given: &Input,
-        about: Carried,
         input: &mut Input,
         output: &mut Output,
-    ) -> Option<Aside> {
-        let mut y = about.aside?;
-        let mut trials = Trials::new(self, given);
-        trials.carried = Some(about);
-        trials.last.y = y;
-        for _ in 0..MAX_STEPS {
-            let before = trials.last.left.abs();
-            let left = trials.left(y, input, output);
-            if left.abs() <= RESOLUTION {
-                return Some(trials.last);
-            }
-            if !(2.0 * left.abs() < before && trials.last.growth.abs() < MOST_GROWTH) {
-                return None;
-            }
-            y += left / (1.0 - trials.last.growth);
-        }
-        None
+    ) -> (f64, f64) {
+        let sunk = self.sunk_under_load(given);
+        let mut trials = Trials { element: self, given, sunk, last: 0.0, carried: None };
+        let level = trials.left(0.0, input, output);
+        let first = level.clamp(-FIRST_WAY, FIRST_WAY);
+        outward(level, first, MAX_WAY, RESOLUTION, |y| trials.left(y, input, output))
     }
 
     /// Deflection to begin with under a wheel of given height: rails that only sink, under a

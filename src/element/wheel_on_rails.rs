@@ -1,12 +1,12 @@
 //! A wheel on its rails: what an element consists of.
 
 use super::adjoint::AdjointMemory;
+use super::balance::Carried;
 use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
 use super::input::Input;
-use super::load_by_stiffness::Carried;
 use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
 use super::rail::rail_contact::RailContact;

@@ -2,6 +2,7 @@
 
 pub(crate) mod arctangent;
 pub(crate) mod b_spline;
+pub(crate) mod broyden;
 mod by_slopes;
 pub(crate) mod dual;
 pub mod elliptic;

@@ -11,10 +11,12 @@
 //! where that does not lead to it, by bracketed secants. Where there is none up to [`MAX_ROLL`], as
 //! of wheels beside their rails, the roll nearest to it counts, and a fallback.
 
+use super::both_wheels::BothWheels;
 use super::{Input, LEFT, Output, RIGHT, SIDES, TrackTurn, Wheelset, on_side};
-use crate::element::{Carried, Element};
+use crate::element::{Carried, Element, PosedWheel};
 use crate::error::ContactError;
 use crate::math::root::outward;
+use crate::normal::Pose;
 
 /// Greatest roll that is looked at [rad].
 const MAX_ROLL: f64 = 0.1;
@@ -22,8 +24,13 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
-/// What heights are told to by the stiffness of a contact, 1e-10 of a load and less [m].
-const TOLD: f64 = 1e-14;
+/// Most poses of both wheels that are tried.
+const MOST_TRIALS: usize = 12;
+/// Longest step over the depth of a load.
+const LONGEST: f64 = 0.5;
+/// What may be left of the balances at the last pose but one, over loads and their depths: the step
+/// from it leaves a thousandth of that.
+const NEARLY: f64 = 1e-8;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
@@ -79,9 +86,9 @@ impl Wheelset {
         Ok((at, rest.abs() > MISSED))
     }
 
-    /// The same by the stiffness of both contacts, a pose of each wheel at a time: the roll follows
-    /// from the heights that these tell, and how they go with it from where the contacts are.
-    /// Nothing where that does not lead to where both are carried.
+    /// The same by the stiffness of both contacts, a pose of both wheels at a time: height and roll
+    /// are unknowns of one balance of both. Nothing where that does not lead to where both are
+    /// carried.
     ///
     /// # Errors
     /// The input at fault, by its name.
@@ -92,53 +99,100 @@ impl Wheelset {
     ) -> Result<Option<Input>, ContactError> {
         let mut at = *input;
         at.wheelset.roll = 0.0;
-        let between = self.markers[RIGHT] - self.markers[LEFT];
         // What was expected by a search before this one is of another roll.
         self.elements.iter_mut().for_each(|element| element.expect(None));
-        let (mut expected, mut last) = ([None::<Carried>; 2], f64::INFINITY);
-        loop {
-            let (mut heights, mut slopes, mut carried) = ([0.0; 2], [0.0; 2], [None; 2]);
-            for k in [RIGHT, LEFT] {
-                let side = at.of_side(k, self.markers[k]);
-                side.check().map_err(|e| on_side(e, SIDES[k]))?;
-                let output = &mut trial.sides[k];
-                let found = self.elements[k].nearly_carried(&side, expected[k], output);
-                let Some(found) = found else { return Ok(None) };
-                // In the frame of the rails, and in that of the track.
-                let z = found.z;
-                let of_track = at.wheelset.along_axle(self.markers[k]).position[2];
-                let frame = at.rail_frame(k, self.markers[k]);
-                heights[k] =
-                    frame.map_or(z, |frame| frame.height(of_track, [side.wheel.position[2], z]));
-                carried[k] = Some(found);
-                // The place of contact turns about the marker, and no overlap is to come of it.
-                let patch = &output.patches[0];
-                let [_, across, down] = patch.position;
-                let [_, y, _] = side.wheel.position;
-                slopes[k] = -((down - z) * patch.contact_angle.tan() + across - y);
+        let Some((mut about, slopes)) = self.guess_loads(&mut at, trial)? else { return Ok(None) };
+        let (mut both, mut pose) = (None::<BothWheels>, Pose::New);
+        for _ in 0..MOST_TRIALS {
+            let Some(posed) = self.pose_both(&at, &mut about, pose, trial)? else {
+                return Ok(None);
+            };
+            if let Some(both) = &mut both {
+                both.take(&at, &posed);
             }
-            let missing = heights[RIGHT] - heights[LEFT] - between * at.wheelset.axle().z;
-            if missing.abs() <= TOLD {
-                let middles =
-                    [RIGHT, LEFT].map(|k| heights[k] - self.markers[k] * at.wheelset.axle().z);
-                at.wheelset.position[2] = 0.5 * (middles[RIGHT] + middles[LEFT]);
-                for (element, carried) in self.elements.iter_mut().zip(carried) {
-                    element.expect(carried);
+            let both =
+                both.get_or_insert_with(|| BothWheels::at(&at, self.markers, slopes, &posed));
+            let Some(step) = both.next(&mut at, &mut about) else { return Ok(None) };
+            if at.wheelset.roll.abs() >= MAX_ROLL || (pose == Pose::Near && step > LONGEST) {
+                return Ok(None);
+            }
+            if both.left() <= NEARLY {
+                for k in [RIGHT, LEFT] {
+                    let side = at.of_side(k, self.markers[k]);
+                    about[k].z = side.wheel.position[2];
+                    self.elements[k].known_to_rest(&side, &about[k]);
+                    self.elements[k].expect(Some(about[k]));
                 }
                 return Ok(Some(at));
             }
-            if missing.is_nan() || 2.0 * missing.abs() >= last {
-                return Ok(None);
-            }
-            last = missing.abs();
-            let step = missing / (between - slopes[RIGHT] + slopes[LEFT]);
-            at.wheelset.roll += step;
-            if at.wheelset.roll.is_nan() || at.wheelset.roll.abs() >= MAX_ROLL {
-                return Ok(None);
-            }
-            for k in [RIGHT, LEFT] {
-                expected[k] = carried[k].map(|carried: Carried| carried.lower(slopes[k] * step));
-            }
+            pose = Pose::Near;
         }
+        Ok(None)
+    }
+
+    /// A pose of both wheels where the wheelset of `at` has them, with what is known `about` how
+    /// each is carried.
+    ///
+    /// # Errors
+    /// The input at fault, by its name.
+    fn pose_both(
+        &mut self,
+        at: &Input,
+        about: &mut [Carried; 2],
+        pose: Pose,
+        trial: &mut Output,
+    ) -> Result<Option<[PosedWheel; 2]>, ContactError> {
+        let mut posed = [None; 2];
+        for k in [RIGHT, LEFT] {
+            let side = at.of_side(k, self.markers[k]);
+            side.check().map_err(|e| on_side(e, SIDES[k]))?;
+            about[k].z = side.wheel.position[2];
+            let output = &mut trial.sides[k];
+            posed[k] = self.elements[k].pose_under_load(&side, &about[k], pose, output);
+        }
+        let [Some(right), Some(left)] = posed else { return Ok(None) };
+        Ok(Some([right, left]))
+    }
+
+    /// Puts the wheelset of `at` where each side by itself carries its load about, the axle between
+    /// them, from no roll on; how that is, and how far up the place of contact of each side goes
+    /// with the roll, against its marker [m].
+    ///
+    /// # Errors
+    /// The input at fault, by its name.
+    fn guess_loads(
+        &mut self,
+        at: &mut Input,
+        trial: &mut Output,
+    ) -> Result<Option<([Carried; 2], [f64; 2])>, ContactError> {
+        let mut guessed = [None; 2];
+        let (mut heights, mut slopes) = ([0.0; 2], [0.0; 2]);
+        for k in [RIGHT, LEFT] {
+            let side = at.of_side(k, self.markers[k]);
+            side.check().map_err(|e| on_side(e, SIDES[k]))?;
+            let output = &mut trial.sides[k];
+            guessed[k] = self.elements[k].guess_load(&side, output);
+            let Some(found) = guessed[k] else { return Ok(None) };
+            // In the frame of the rails, and in that of the track.
+            let z = found.z;
+            let of_track = at.wheelset.along_axle(self.markers[k]).position[2];
+            let frame = at.rail_frame(k, self.markers[k]);
+            heights[k] =
+                frame.map_or(z, |frame| frame.height(of_track, [side.wheel.position[2], z]));
+            // The place of contact turns about the marker, and no overlap is to come of it.
+            let patch = &output.patches[0];
+            let [_, across, down] = patch.position;
+            let [_, y, _] = side.wheel.position;
+            slopes[k] = -((down - z) * patch.contact_angle.tan() + across - y);
+        }
+        let [Some(right), Some(left)] = guessed else { return Ok(None) };
+        let between = self.markers[RIGHT] - self.markers[LEFT];
+        let missing = heights[RIGHT] - heights[LEFT] - between * at.wheelset.axle().z;
+        at.wheelset.roll = missing / (between - slopes[RIGHT] + slopes[LEFT]);
+        let axle = at.wheelset.axle().z;
+        let middles = [RIGHT, LEFT]
+            .map(|k| heights[k] + slopes[k] * at.wheelset.roll - self.markers[k] * axle);
+        at.wheelset.position[2] = 0.5 * (middles[RIGHT] + middles[LEFT]);
+        Ok((at.wheelset.roll.abs() < MAX_ROLL).then_some(([right, left], slopes)))
     }
 }

@@ -18,6 +18,7 @@
 //! ```
 
 mod adjoint;
+mod both_wheels;
 mod derivatives;
 mod given_load;
 mod guiding;
