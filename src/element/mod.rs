@@ -2,6 +2,7 @@
 
 mod adjoint;
 mod contact;
+mod contact_history;
 mod derivative_memory;
 mod derivatives;
 mod evaluate;
@@ -21,6 +22,7 @@ mod remarks;
 mod start;
 mod start_warning;
 mod step_limit;
+mod steps;
 mod stiffness;
 pub mod subject;
 pub(crate) mod vertical_load;
@@ -30,6 +32,7 @@ mod work;
 pub(crate) mod work_pairs;
 mod worn_profiles;
 
+pub use contact_history::ContactHistory;
 pub(crate) use free_rolling::FreeRolling;
 pub use gradient::{Gradient, ParameterSlopes};
 pub use input::Input;
@@ -42,6 +45,7 @@ pub use remark::Remark;
 pub use remarks::{place_remark, remarks, without_effect};
 pub use start_warning::StartWarning;
 pub use step_limit::{Inertia, StepLimit};
+pub(crate) use steps::check_duration;
 pub use stiffness::ContactSlopes;
 pub use wear_sums::WearState;
 pub use wheel_on_rails::Element;
