@@ -13,7 +13,7 @@ use crate::tangential::field::ContactField;
 
 /// One step from its first part to its last.
 pub struct Walk {
-    walk: steps::Walk,
+    parts: steps::Walk,
     /// Friction limit [N].
     limit: f64,
     /// Distance rolled, either way [m].
@@ -50,7 +50,7 @@ impl Walk {
         }
         let material = MaterialPair::new(case.wheel_material, case.rail_material);
         Ok(Self {
-            walk: steps::Walk::new(grid, window, material, bound, motion.rolled),
+            parts: steps::Walk::new(grid, window, material, bound, motion.rolled),
             limit,
             rolled: motion.rolled.abs(),
             force: motion.force,
@@ -60,14 +60,14 @@ impl Walk {
     }
 
     pub fn go(&mut self, history: &History, lattice: Lattice) -> Result<(), ContactError> {
-        let Self { walk, limit, force, displacement, found, .. } = self;
-        if let Some((axis, elements)) = walk.too_far(&history.kept) {
+        let Self { parts, limit, force, displacement, found, .. } = self;
+        if let Some((axis, elements)) = parts.too_far(&history.kept) {
             let name = ["radius", "separation y"][axis];
             let moved = elements as f64 * lattice.size[axis];
             let allowed = "a contact within 4000 elements of that of the step before";
             return Err(ContactError::bad_value(name, moved, allowed));
         }
-        walk.go(&history.kept, lattice, |part, solve| {
+        parts.go(&history.kept, lattice, |part, solve| {
             let given = Given { force: *force, limit: *limit, compliance: part.compliance };
             let own = displacement.map(|d| part.of(d));
             let Advanced { tractions, displacement } =
@@ -81,11 +81,11 @@ impl Walk {
 
     /// Tractions at the end [Pa].
     pub fn tractions(&self) -> &[[f64; 2]] {
-        &self.walk.tractions
+        &self.parts.tractions
     }
 
     pub fn result(&self, strips: &Strips) -> TransientResult {
-        let steps::Walk { grid, tractions, work, substeps, sweeps, converged, .. } = &self.walk;
+        let steps::Walk { grid, tractions, work, substeps, sweeps, converged, .. } = &self.parts;
         let mut contact = without_creep_forces(strips);
         let [fx, fy] = force_of(grid, tractions);
         (contact.fx, contact.fy) = (fx, fy);
@@ -105,7 +105,7 @@ impl Walk {
     }
 
     pub fn field(self, pressure: Vec<f64>) -> TransientField {
-        let steps::Walk { grid, tractions, slips, slip, work, .. } = self.walk;
+        let steps::Walk { grid, tractions, slips, slip, work, .. } = self.parts;
         let mut contact = ContactField::of_pressure(grid, pressure);
         contact.traction = tractions;
         for (k, &slips) in slips.iter().enumerate() {

@@ -64,7 +64,8 @@ fn a_new_element_rolls_steadily_to_the_bit_until_inputs_change() {
     (standing.wheel.velocity[0], standing.wheel.pitch_rate) = (0.0, 0.0);
     let mut wheel = element(&transient(&parameters));
     let output = advance(&mut wheel, &standing, 1e-3);
-    assert!(output.patches[0].creep_force == [0.0; 2] && output.patches[0].normal_force > 1e4);
+    let [x, y] = output.patches[0].creep_force;
+    assert!(x.hypot(y) <= 0.0 && output.patches[0].normal_force > 1e4, "{x} {y}");
     let off = difference(&advance(&mut wheel, &input, 1e-5), &steady);
     assert!(off > 0.1, "{off}");
 }
