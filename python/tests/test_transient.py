@@ -71,7 +71,7 @@ def test_a_wheel_remembers_the_way_it_has_rolled():
     }
     steady = wheelrail.Element(**models)
     run = wheelrail.TransientRun(tangential_history="transient", **models)
-    assert repr(run).startswith("TransientRun(")
+    assert repr(run).startswith("wheelrail.TransientRun(")
     z = steady.nominal_z + 1e-4
     # Rolling as it begins, then a yaw angle whose force builds up.
     first = run.advance(z=z, duration=1e-4, outputs=["wheel.force.y"])
