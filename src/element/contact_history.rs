@@ -124,21 +124,19 @@ impl RailHistory {
         size
     }
 
-    /// The tractions on elements of the size `size`, which is that of [`Self::size_for`].
-    pub fn on_elements(&self, size: [f64; 2]) -> Kept {
+    /// The tractions, and the size of the elements that they are on [m]: at least the size `size`,
+    /// which is that of [`Self::size_for`].
+    pub fn on_elements(&self, size: [f64; 2]) -> (Kept, [f64; 2]) {
         let (mut kept, mut own) = (self.kept.clone(), self.size);
         if kept.tractions.is_empty() {
-            return kept;
+            return (kept, size);
         }
         for axis in 0..2 {
-            while own[axis] > size[axis] {
-                (kept, own[axis]) = (kept.halved(axis), 0.5 * own[axis]);
-            }
             while own[axis] < size[axis] {
                 (kept, own[axis]) = (kept.doubled(axis), 2.0 * own[axis]);
             }
         }
-        kept
+        (kept, own)
     }
 }
 
@@ -235,12 +233,15 @@ mod tests {
         assert_eq!(bits(rail.size_for([1.3e-4, 4.5e-4])), bits(rail.size));
         let size = rail.size_for([5e-5, 9e-4]);
         assert_eq!(bits(size), bits([0.25 * 2e-4, 2.0 * 3e-4]));
-        let moved = RailHistory { size, kept: rail.on_elements(size) };
+        let (kept, own) = rail.on_elements(size);
+        // Those that are to be halved stay.
+        assert_eq!(bits(own), bits([2e-4, 2.0 * 3e-4]));
+        let moved = RailHistory { size, kept: Kept::default() };
         assert_eq!(bits(moved.size_for([5e-5, 9e-4])), bits(size));
-        let force = |rail: &RailHistory| {
-            rail.kept.tractions.iter().map(|p| p[1]).sum::<f64>() * rail.size[0] * rail.size[1]
+        let force = |kept: &Kept, size: [f64; 2]| {
+            kept.tractions.iter().map(|p| p[1]).sum::<f64>() * size[0] * size[1]
         };
-        assert!((force(&moved) / force(rail) - 1.0).abs() < 1e-12);
+        assert!((force(&kept, own) / force(&rail.kept, rail.size) - 1.0).abs() < 1e-12);
         assert_eq!(bits(RailHistory::default().size_for([1e-4, 2e-4])), bits([1e-4, 2e-4]));
     }
 }

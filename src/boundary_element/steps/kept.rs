@@ -66,26 +66,8 @@ impl Kept {
         Some((Self { window, tractions: tractions.to_vec() }, rest))
     }
 
-    /// The same on elements of half the size along `axis` (0: x, 1: y), where elements of both
-    /// sizes share their borders from coordinate 0 on.
-    #[must_use]
-    pub fn halved(&self, axis: usize) -> Self {
-        let mut window = self.window;
-        window.first[axis] *= 2;
-        window.count[axis] *= 2;
-        self.moved_to(
-            window,
-            |at| {
-                let mut children = [at; 2];
-                children[0][axis] = 2 * at[axis];
-                children[1][axis] = 2 * at[axis] + 1;
-                children
-            },
-            [1.0, 1.0],
-        )
-    }
-
-    /// The same on elements of twice the size along `axis`: forces stay.
+    /// The same on elements of twice the size along `axis` (0: x, 1: y), where elements of both sizes
+    /// share their borders from coordinate 0 on: forces stay.
     #[must_use]
     pub fn doubled(&self, axis: usize) -> Self {
         let mut window = self.window;
@@ -93,30 +75,12 @@ impl Kept {
         window.first[axis] = first.div_euclid(2);
         let end = (first + count + 1).div_euclid(2);
         window.count[axis] = usize::try_from(end - window.first[axis]).unwrap_or(0);
-        self.moved_to(
-            window,
-            |at| {
-                let mut parent = at;
-                parent[axis] = at[axis].div_euclid(2);
-                [parent; 2]
-            },
-            [0.5, 0.0],
-        )
-    }
-
-    /// Each traction on two elements of `window`, with shares.
-    fn moved_to(
-        &self,
-        window: Window,
-        to: impl Fn([i64; 2]) -> [[i64; 2]; 2],
-        shares: [f64; 2],
-    ) -> Self {
         let mut tractions = vec![[0.0; 2]; window.count[0] * window.count[1]];
         for (k, p) in self.tractions.iter().enumerate() {
-            for (at, share) in to(self.window.element(k)).into_iter().zip(shares) {
-                if let Some(sum) = window.place(at).and_then(|place| tractions.get_mut(place)) {
-                    *sum = [sum[0] + share * p[0], sum[1] + share * p[1]];
-                }
+            let mut at = self.window.element(k);
+            at[axis] = at[axis].div_euclid(2);
+            if let Some(sum) = window.place(at).and_then(|place| tractions.get_mut(place)) {
+                *sum = [sum[0] + 0.5 * p[0], sum[1] + 0.5 * p[1]];
             }
         }
         Self { window, tractions }
@@ -149,30 +113,23 @@ mod tests {
     }
 
     #[test]
-    fn halves_and_doubles_keep_forces_and_places() {
+    fn doubled_elements_keep_the_force_of_each_pair() {
         let kept = kept();
         for axis in 0..2 {
-            let (fine, coarse) = (kept.halved(axis), kept.doubled(axis));
-            assert_eq!(fine.doubled(axis), kept);
-            let moments = |kept: &Kept, size: f64| {
-                let mut sum = [0.0; 4];
-                for (k, p) in kept.tractions.iter().enumerate() {
-                    let at = kept.window.element(k)[axis] as f64 + 0.5;
-                    for c in 0..2 {
-                        sum[c] += size * p[c];
-                        sum[2 + c] += size * size * at * p[c];
-                    }
+            let coarse = kept.doubled(axis);
+            for (k, p) in coarse.tractions.iter().enumerate() {
+                let own = coarse.window.element(k);
+                let pair = [0, 1].map(|second| {
+                    let mut at = own;
+                    at[axis] = 2 * own[axis] + second;
+                    kept.window.place(at).map_or([0.0; 2], |place| kept.tractions[place])
+                });
+                for c in 0..2 {
+                    assert!((2.0 * p[c] - pair[0][c] - pair[1][c]).abs() < 1e-12);
                 }
-                sum
-            };
-            let [all, of_fine] = [moments(&kept, 1.0), moments(&fine, 0.5)];
-            let of_coarse = moments(&coarse, 2.0);
-            for c in 0..4 {
-                assert!((all[c] - of_fine[c]).abs() < 1e-12 * all[c].abs(), "{all:?} {of_fine:?}");
             }
-            for c in 0..2 {
-                assert!((all[c] - of_coarse[c]).abs() < 1e-12 * all[c].abs());
-            }
+            let sum = |kept: &Kept| kept.tractions.iter().map(|p| p[1]).sum::<f64>();
+            assert!((2.0 * sum(&coarse) / sum(&kept) - 1.0).abs() < 1e-12);
         }
     }
 }

@@ -64,6 +64,32 @@ impl Lattice {
         Window { first, count: [grid.along, grid.across] }
     }
 
+    /// The centre of the element in a column and row [m].
+    #[must_use]
+    pub fn centre(&self, at: [i64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.origin[axis] + at[axis] as f64 * self.size[axis])
+    }
+
+    /// The place `at` [m] in columns and rows, whole at the centres of elements.
+    #[must_use]
+    pub fn place_of(&self, at: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (at[axis] - self.origin[axis]) / self.size[axis])
+    }
+
+    /// The least window whose centres surround all of the `places` in columns and rows.
+    #[must_use]
+    pub fn around(&self, places: &[[f64; 2]]) -> Window {
+        let mut window = Window::default();
+        for axis in 0..2 {
+            let of_axis = || places.iter().map(|place| place[axis]);
+            let first = of_axis().fold(f64::INFINITY, f64::min).floor() as i64;
+            let last = of_axis().fold(f64::NEG_INFINITY, f64::max).floor() as i64 + 1;
+            window.first[axis] = first;
+            window.count[axis] = usize::try_from(last - first + 1).unwrap_or(0);
+        }
+        window
+    }
+
     /// The elements of `window` as a grid, y counted from `contact_y`.
     #[must_use]
     pub fn grid(&self, window: &Window, contact_y: f64) -> Grid {
@@ -98,6 +124,32 @@ impl Window {
         let behind = usize::try_from(first[0] + count[0] as i64 - 1 - at[0]).ok()?;
         let row = usize::try_from(at[1] - first[1]).ok()?;
         (behind < count[0] && row < count[1]).then_some(row * count[0] + behind)
+    }
+
+    /// The values of its elements at a `place` in columns and rows, linear between their centres; 0
+    /// outside.
+    #[must_use]
+    pub fn between(&self, place: [f64; 2], values: &[[f64; 2]]) -> [f64; 2] {
+        let low = place.map(f64::floor);
+        let share = [0, 1].map(|axis| place[axis] - low[axis]);
+        let mut sum = [0.0; 2];
+        for (i, along) in [1.0 - share[0], share[0]].into_iter().enumerate() {
+            for (j, across) in [1.0 - share[1], share[1]].into_iter().enumerate() {
+                let at = [low[0] as i64 + i as i64, low[1] as i64 + j as i64];
+                if let Some(value) = self.place(at).and_then(|k| values.get(k)) {
+                    for c in 0..2 {
+                        sum[c] += along * across * value[c];
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// Whether it has no more elements than `most`.
+    #[must_use]
+    pub fn is_within(&self, most: usize) -> bool {
+        self.count[0].saturating_mul(self.count[1]) <= most
     }
 
     /// The least window with the elements of both.

@@ -19,6 +19,10 @@ const GROWTH: f64 = 0.1;
 /// Most elements between a contact and that of the step before.
 const MAX_BETWEEN: usize = 4000;
 
+/// Most elements over a contact and that of the step before, beyond which a wheel has jumped away
+/// from what it left behind.
+const MAX_SPAN: usize = 1_000_000;
+
 /// Rounding of tractions at their bound [-].
 const ROUNDING: f64 = 1e-12;
 
@@ -129,6 +133,12 @@ impl Walk {
         }
     }
 
+    /// Whether the step has jumped so far away from `kept` that nothing of it is felt.
+    #[must_use]
+    pub fn has_jumped(&self, kept: &Kept) -> bool {
+        !self.with(kept).is_within(MAX_SPAN)
+    }
+
     /// The axis (0: x, 1: y) along which the elements of `kept` are too far from those of the step,
     /// and how many elements the contact has moved along it.
     #[must_use]
@@ -186,17 +196,65 @@ impl Walk {
         &mut self,
         kept: &Kept,
         lattice: Lattice,
-        mut advance: impl FnMut(&Part<'_>, &mut Solve<'_>) -> Result<Tractions, E>,
+        advance: impl FnMut(&Part<'_>, &mut Solve<'_>) -> Result<Tractions, E>,
     ) -> Result<(), E> {
         self.tractions = self.window.values_of(&kept.window, &kept.tractions);
+        // Tractions of before may act on elements that are in contact no more.
+        let both = self.with(kept);
+        let before = both.values_of(&kept.window, &kept.tractions);
+        let (window, material) = (self.window, self.material);
+        let carried = |rolled: f64| {
+            let grid = lattice.grid(&both, 0.0);
+            window.values_of(&both, &Memory::new(&grid, &material, rolled).carried(&before))
+        };
+        self.go_from(carried, advance)
+    }
+
+    /// The same from tractions `kept` on elements of `coarse`, a whole number of times as long and
+    /// as wide as those of `lattice`, with which they share their borders: what these carry is taken
+    /// between the centres of their elements.
+    ///
+    /// # Errors
+    /// Those of `advance`.
+    pub fn go_from_coarse<E>(
+        &mut self,
+        kept: &Kept,
+        coarse: Lattice,
+        lattice: Lattice,
+        advance: impl FnMut(&Part<'_>, &mut Solve<'_>) -> Result<Tractions, E>,
+    ) -> Result<(), E> {
+        let (window, material) = (self.window, self.material);
+        let places = (0..self.grid.len()).map(|k| lattice.centre(window.element(k)));
+        let places: Vec<[f64; 2]> = places.map(|at| coarse.place_of(at)).collect();
+        let own = coarse.around(&places);
+        self.tractions = places
+            .iter()
+            .map(|place| {
+                let at = kept.window.place(place.map(|t| t.round() as i64));
+                at.map_or([0.0; 2], |at| kept.tractions[at])
+            })
+            .collect();
+        let all = if kept.tractions.is_empty() { own } else { own.with(&kept.window) };
+        let both = if all.is_within(MAX_SPAN) { all } else { own };
+        let before = both.values_of(&kept.window, &kept.tractions);
+        let carried = |rolled: f64| {
+            let grid = coarse.grid(&both, 0.0);
+            let values = Memory::new(&grid, &material, rolled).carried(&before);
+            places.iter().map(|place| both.between(*place, &values)).collect()
+        };
+        self.go_from(carried, advance)
+    }
+
+    /// The same by what the tractions before carry into the first part, over a distance [m].
+    fn go_from<E>(
+        &mut self,
+        carried_over: impl Fn(f64) -> Vec<[f64; 2]>,
+        mut advance: impl FnMut(&Part<'_>, &mut Solve<'_>) -> Result<Tractions, E>,
+    ) -> Result<(), E> {
         if self.is_steady() {
             return self.steady(advance);
         }
         let length = self.length();
-        // Tractions of before may act on elements that are in contact no more.
-        let both = self.with(kept);
-        let before = both.values_of(&kept.window, &kept.tractions);
-        let both_grid = lattice.grid(&both, 0.0);
         let mut rest = self.rolled;
         let compliance = 1.0 / self.stiffness();
         // Of the length of the part before.
@@ -216,8 +274,9 @@ impl Walk {
                 let new = || (rolled, Memory::new(grid, material, forward));
                 memory.get_or_insert_with(new).1.carried(&self.tractions)
             } else {
-                let carried = Memory::new(&both_grid, material, forward).carried(&before);
-                self.window.values_of(&both, &carried)
+                // Over an element at most, so that its share of the end of the part is a half on
+                // elements of any size.
+                carried_over(forward)
             };
             operator = operator.filter(|(of, _)| same(*of, rolled));
             let new = || (rolled, TransientStep::new(grid, material, forward));

@@ -225,13 +225,13 @@ impl<'a> RailRolling<'a> {
             return Some(self.sums_of(&slipping, elements, zones, models, &found, Slipped::Rigid));
         }
         let way = (law.state.speed * memory.duration).min(MAX_WAY);
-        let mut before = memory.before(k).on_elements(size);
+        let (mut before, own) = memory.before(k).on_elements(size);
+        let is_coarse = own.into_iter().zip(size).any(|(own, size)| own > size);
         let mut walk = Walk::new(*grid, window, law.material, bound, direction * way);
-        if walk.too_far(&before).is_some() {
-            // Nothing of it is felt.
+        if !is_coarse && walk.has_jumped(&before) {
             before.clear();
         }
-        if way > 0.0 || !walk.rests(&before) {
+        if is_coarse || way > 0.0 || !walk.rests(&before) {
             let advance = |part: &Part<'_>, solve: &mut Solve<'_>| {
                 let displaced = rigid.iter().zip(part.carried);
                 let displaced: Vec<_> = displaced
@@ -239,7 +239,12 @@ impl<'a> RailRolling<'a> {
                     .collect();
                 Ok::<_, Infallible>(solve(&displaced, part.before, false))
             };
-            let Ok(()) = walk.go(&before, lattice, advance);
+            let Ok(()) = if is_coarse {
+                let coarse = Lattice::with_borders_at_multiples(own);
+                walk.go_from_coarse(&before, coarse, lattice, advance)
+            } else {
+                walk.go(&before, lattice, advance)
+            };
         }
         let work: Vec<f64> = if way > 0.0 {
             walk.work.iter().map(|work| work / way).collect()

@@ -189,6 +189,30 @@ fn a_contact_that_grows_a_hundredfold_has_elements_that_grow_with_it() {
     }
 }
 
+/// A contact that shrinks to a tenth of its length in a short step feels what acted on all of it.
+#[test]
+fn a_contact_that_shrinks_at_once_takes_along_what_there_was() {
+    let found = [10, 20, 36].map(|elements| {
+        let parameters = transient(&Parameters { damping: 0.0, ..boundary(elements) });
+        let mut wheel = fresh(&parameters);
+        let deep = rolling(&parameters, 0.0, 2e-3, 1e-4, 5e-4);
+        // Some of it sticks.
+        advance(&mut wheel, &deep, 1e-4);
+        let light = rolling(&parameters, 0.0, 2e-3, 1e-6, 5e-4);
+        let output = advance(&mut wheel, &light, 1e-6);
+        let patch = output.patches[0];
+        assert!(patch.length < 2.5e-3, "{}", patch.length);
+        let limit = patch.friction_coefficient * patch.normal_force;
+        let again = evaluate(&mut wheel, &light);
+        assert_eq!(again.wheel.force.map(f64::to_bits), output.wheel.force.map(f64::to_bits));
+        let [x, y] = patch.creep_force;
+        [x / limit, y / limit, patch.slip_share]
+    });
+    println!("{found:?}");
+    let [coarse, _, fine] = found;
+    assert!((coarse[0] - fine[0]).hypot(coarse[1] - fine[1]) <= 2e-3, "{found:?}");
+}
+
 #[test]
 fn a_second_rail_and_the_left_side_have_histories_of_their_own() {
     let mut parameters = boundary(12);
