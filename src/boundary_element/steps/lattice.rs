@@ -76,20 +76,6 @@ impl Lattice {
         [0, 1].map(|axis| (at[axis] - self.origin[axis]) / self.size[axis])
     }
 
-    /// The least window whose centres surround all of the `places` in columns and rows.
-    #[must_use]
-    pub fn around(&self, places: &[[f64; 2]]) -> Window {
-        let mut window = Window::default();
-        for axis in 0..2 {
-            let of_axis = || places.iter().map(|place| place[axis]);
-            let first = of_axis().fold(f64::INFINITY, f64::min).floor() as i64;
-            let last = of_axis().fold(f64::NEG_INFINITY, f64::max).floor() as i64 + 1;
-            window.first[axis] = first;
-            window.count[axis] = usize::try_from(last - first + 1).unwrap_or(0);
-        }
-        window
-    }
-
     /// The elements of `window` as a grid, y counted from `contact_y`.
     #[must_use]
     pub fn grid(&self, window: &Window, contact_y: f64) -> Grid {
@@ -107,6 +93,20 @@ impl Lattice {
 }
 
 impl Window {
+    /// The least window whose centres surround all of the `places` in columns and rows.
+    #[must_use]
+    pub fn around(places: &[[f64; 2]]) -> Self {
+        let mut window = Self::default();
+        for axis in 0..2 {
+            let of_axis = || places.iter().map(|place| place[axis]);
+            let first = of_axis().fold(f64::INFINITY, f64::min).floor() as i64;
+            let last = of_axis().fold(f64::NEG_INFINITY, f64::max).floor() as i64 + 1;
+            window.first[axis] = first;
+            window.count[axis] = usize::try_from(last - first + 1).unwrap_or(0);
+        }
+        window
+    }
+
     /// Column and row of element number `k` of its grid.
     #[must_use]
     pub fn element(&self, k: usize) -> [i64; 2] {

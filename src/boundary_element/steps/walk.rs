@@ -226,7 +226,7 @@ impl Walk {
         let (window, material) = (self.window, self.material);
         let places = (0..self.grid.len()).map(|k| lattice.centre(window.element(k)));
         let places: Vec<[f64; 2]> = places.map(|at| coarse.place_of(at)).collect();
-        let own = coarse.around(&places);
+        let own = Window::around(&places);
         self.tractions = places
             .iter()
             .map(|place| {
