@@ -227,15 +227,19 @@ fn access(out: &mut String, declaration: &Declaration) {
         arms
     };
     let is_set = |v: &Variable| matches!(v.causality, Causality::Input | Causality::Parameter);
-    let settable = |wanted: fn(&Kind) -> bool, set: &dyn Fn(&str) -> String| {
+    let written = |wanted: fn(&Kind) -> bool,
+                   set: &dyn Fn(&str) -> String,
+                   is_written: &dyn Fn(&Variable) -> bool| {
         let mut arms = String::new();
-        for (reference, v) in of(wanted).filter(|(_, v)| is_set(v)) {
+        for (reference, v) in of(wanted).filter(|(_, v)| is_written(v)) {
             let all: Vec<String> =
                 std::iter::once(&v.field).chain(&v.also).map(|field| set(field)).collect();
             line(&mut arms, &format!("{reference} => {{ {}; }}", all.join("; ")));
         }
         arms
     };
+    // Whole outputs too, which bytes of a state hold.
+    let is_whole = |v: &Variable| is_set(v) || v.causality == Causality::Output;
     // Alone in its field, and not computed from inputs.
     let is_slot = |v: &Variable| {
         v.also.is_empty() && (is_set(v) || v.causality == Causality::CalculatedParameter)
@@ -285,9 +289,17 @@ fn access(out: &mut String, declaration: &Declaration) {
         function(&format!("real_slot({set}) -> Option<&mut f64>"), slots, "None"),
         function(&format!("output_slot({set}) -> Option<&mut f64>"), outputs, "None"),
         function(&format!("set_real({set}, value: f64)"), shared, "()"),
-        function(&format!("set_integer({set}, value: i32)"), settable(integer, &convert), "()"),
-        function(&format!("set_boolean({set}, value: bool)"), settable(boolean, &write), "()"),
-        function(&format!("set_text({set}, value: &str)"), settable(text, &copy), "()"),
+        function(
+            &format!("set_integer({set}, value: i32)"),
+            written(integer, &convert, &is_whole),
+            "()",
+        ),
+        function(
+            &format!("set_boolean({set}, value: bool)"),
+            written(boolean, &write, &is_set),
+            "()",
+        ),
+        function(&format!("set_text({set}, value: &str)"), written(text, &copy, &is_set), "()"),
     ] {
         line(out, &text);
     }

@@ -166,8 +166,8 @@ impl<S: InBulk> Evaluator<S> {
         Ok(())
     }
 
-    /// Wears as time goes on: evaluates row after row, each for its duration [s]; the state stays
-    /// in the subject.
+    /// Goes on in time, by wear and by what contacts remember: evaluates row after row, each for its
+    /// duration [s]; the state stays in the subject.
     pub fn advance(
         &mut self,
         py: Python<'_>,

@@ -27,7 +27,7 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<units::Wheel>()?;
     module.add_class::<units::Wheelset>()?;
-    module.add_class::<units::WearingWheel>()?;
+    module.add_class::<units::SteppedWheel>()?;
     module.add_class::<evaluator::Places>()?;
     module.add_function(wrap_pyfunction!(units::contacts_of, module)?)?;
     module.add_function(wrap_pyfunction!(adjoint::adjoint_of, module)?)?;

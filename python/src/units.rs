@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use numpy::{
-    PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2, ToPyArray,
+    PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2,
+    ToPyArray,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyTuple};
-use wheelrail::element::{Element, WornBody};
+use wheelrail::element::{ContactHistory, Element, WornBody};
 
 use crate::contacts::contacts;
 use crate::errors::{bad_value, refused};
@@ -165,15 +166,15 @@ pub fn contacts_of<'py>(
     found.iter().map(|contact| contact.dict(py)).collect()
 }
 
-/// A wheel and its rails whose profiles wear.
+/// A wheel and its rails whose profiles wear or whose contacts remember.
 #[pyclass(module = "wheelrail._native")]
-pub struct WearingWheel {
+pub struct SteppedWheel {
     evaluator: Evaluator<Element>,
 }
 
 #[pymethods]
 #[allow(clippy::needless_pass_by_value)]
-impl WearingWheel {
+impl SteppedWheel {
     #[new]
     fn new(
         py: Python<'_>,
@@ -183,7 +184,8 @@ impl WearingWheel {
         Ok(Self { evaluator: Evaluator::new(py, settings, folders)? })
     }
 
-    /// Evaluates row after row and wears off what its duration [s] wears off.
+    /// Evaluates row after row as a step of its duration [s], which wears off what it wears off and
+    /// is remembered.
     fn advance(
         &mut self,
         py: Python<'_>,
@@ -193,6 +195,21 @@ impl WearingWheel {
         out: PyReadwriteArray2<'_, f64>,
     ) -> PyResult<()> {
         self.evaluator.advance(py, &inputs, &durations, &outputs, out)
+    }
+
+    /// What contacts remember, as numbers; none where they do not.
+    #[getter]
+    fn history<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let history = self.evaluator.subject.contact_history();
+        PyArray1::from_vec(py, history.map(ContactHistory::to_numbers).unwrap_or_default())
+    }
+
+    /// Goes on from another history.
+    fn set_history(&mut self, py: Python<'_>, numbers: PyReadonlyArray1<'_, f64>) -> PyResult<()> {
+        let history = ContactHistory::from_numbers(numbers.as_slice()?);
+        let history = history.map_err(|error| refused(py, &error, None))?;
+        self.evaluator.subject.set_contact_history(&history);
+        Ok(())
     }
 
     /// Points (y, z) of a profile with all wear so far [m]; body 0 is the wheel, 1 and 2 are the

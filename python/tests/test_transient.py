@@ -60,3 +60,33 @@ def test_refusals_name_what_is_wrong():
         planar.Transient(element_size=(1e-3, 0.0))
     with pytest.raises(wheelrail.errors.BadValueError, match="history"):
         contact.history = [1.0, 2.0]
+
+
+def test_a_wheel_remembers_the_way_it_has_rolled():
+    models = {
+        "normal_model": "boundary_element",
+        "tangential_model": "boundary_element",
+        "normal_elements_along": 8,
+        "normal_elements_across": 8,
+    }
+    steady = wheelrail.Element(**models)
+    run = wheelrail.TransientRun(tangential_history="transient", **models)
+    assert repr(run).startswith("wheelrail.TransientRun(")
+    z = steady.nominal_z + 1e-4
+    # Rolling as it begins, then a yaw angle whose force builds up.
+    first = run.advance(z=z, duration=1e-4, outputs=["wheel.force.y"])
+    assert first["wheel.force.y"] == steady.evaluate(z=z)["wheel.force.y"]
+    before = run.history
+    found = run.advance(z=z, yaw=[3e-3] * 4 + [0.0], duration=[5e-5, 5e-5, 5e-5, 0.1, 0.1])
+    force = found["wheel.force.y"]
+    end = steady.evaluate(z=z, yaw=3e-3)["wheel.force.y"]
+    assert first["wheel.force.y"] < force[0] < force[1] < force[2] < force[3]
+    assert abs(force[3] - end) < 1e-4 * abs(end) and (found["frictional_power"] >= 0.0).all()
+    run.history = before
+    np.testing.assert_array_equal(run.advance(z=z, yaw=3e-3, duration=[5e-5] * 3)["wheel.force.y"], force[:3])
+    with pytest.raises(wheelrail.BadValueError, match="numbers of a history"):
+        run.history = [0.5]
+    with pytest.raises(wheelrail.BadValueError, match=r"tangential\.history"):
+        wheelrail.TransientRun(**models)
+    with pytest.raises(wheelrail.BadValueError, match=r"tangential\.model boundary_element"):
+        wheelrail.TransientRun(tangential_history="transient")

@@ -13,5 +13,6 @@ pub mod pressure;
 pub(crate) mod received;
 pub mod rolling;
 pub mod shift;
+pub(crate) mod steps;
 pub mod transient;
 pub mod unlike;

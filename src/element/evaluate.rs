@@ -66,6 +66,9 @@ impl Element {
         output.clear();
         self.models.patches.clear();
         self.sunk = None;
+        if let Some(memory) = &mut self.models.memory {
+            memory.begin();
+        }
         let mut left_out = 0;
         for (k, rail) in self.rails.iter_mut().enumerate() {
             if let Some(rail) = rail {

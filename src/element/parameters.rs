@@ -66,6 +66,17 @@ pub enum CreepageModel {
     Curved,
 }
 
+/// What tractions follow from besides the state of the moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TangentialHistory {
+    /// Nothing: they are those of steady rolling.
+    #[default]
+    Steady,
+    /// The steps before: how bodies were displaced, and how far they have rolled since.
+    Transient,
+}
+
 /// How friction is spread over the surface of the rails.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FrictionDistribution {
@@ -203,6 +214,8 @@ pub struct Parameters {
     pub minimum_speed: f64,
     /// Tangential contact model.
     pub tangential_model: TangentialModel,
+    /// What tractions follow from besides the state of the moment.
+    pub tangential_history: TangentialHistory,
     /// Elements along each strip, 4 to 200.
     pub elements_along: usize,
     /// Shape of the traction bound.
@@ -298,6 +311,7 @@ impl Default for Parameters {
             creepage_model: CreepageModel::default(),
             minimum_speed: 1e-3,
             tangential_model: TangentialModel::default(),
+            tangential_history: TangentialHistory::default(),
             elements_along: 20,
             bound: TractionBound::default(),
             flexibilities: Flexibilities::default(),

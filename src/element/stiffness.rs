@@ -91,13 +91,20 @@ impl Element {
     /// from the wheel marker along the axle. All is left as it was; the first call allocates.
     ///
     /// # Errors
-    /// The input at fault, by its FMU name.
+    /// The input at fault, by its FMU name, or [`ContactError::NoDerivative`] where contacts
+    /// remember.
     pub fn contact_slopes(
         &mut self,
         input: &Input,
         lever: f64,
     ) -> Result<ContactSlopes, ContactError> {
         input.check()?;
+        if self.remembers() {
+            return Err(ContactError::NoDerivative {
+                name: Some("tangential.history = transient"),
+                reason: "forces follow from steps, not from inputs alone",
+            });
+        }
         let mode = std::mem::replace(&mut self.vertical_mode, VerticalMode::Penetration);
         let fallbacks = self.fallbacks;
         let outward = if self.side == Side::Left { -lever } else { lever };

@@ -91,6 +91,9 @@ impl Element {
         let touching = if load <= 0.0 { self.first_touch(input) } else { None };
         input.wheel.position[2] = touching.unwrap_or(own_height);
         self.models.patches.clear();
+        if let Some(memory) = &mut self.models.memory {
+            memory.begin();
+        }
         *output = Output::default();
         u64::from(load > 0.0)
     }

@@ -17,7 +17,8 @@ use crate::geometry::profiles::profile::ProfileRemark;
 /// A wheel and the rails under it, ready to be evaluated.
 ///
 /// The result of an evaluation depends on its input alone, not on earlier ones; with rails that
-/// have a mass also on where [`Element::move_rails`] has brought them.
+/// have a mass also on where [`Element::move_rails`] has brought them, and with contacts that
+/// remember on the steps of [`Element::advance`].
 #[derive(Clone, Debug)]
 pub struct Element {
     pub(super) side: Side,
@@ -86,7 +87,7 @@ impl Element {
         Work { strip_steps: strips.steps, most_strip_steps: strips.most_steps, ..self.work }
     }
 
-    /// Contacts and zones that found no room so far: the only thing an element remembers.
+    /// Contacts and zones that found no room so far.
     #[must_use]
     pub fn fallbacks(&self) -> u64 {
         self.fallbacks

@@ -4,6 +4,7 @@
 //! [`Element::advance`]. New profiles come at the ends of intervals, see [`crate::wear::update`].
 
 use super::parameters::{RAILS, Side, VerticalMode};
+use super::steps::check_duration;
 use super::wear_sums::WearState;
 use super::{Element, Input, Output};
 use crate::error::ContactError;
@@ -13,20 +14,22 @@ use crate::geometry::profiles::profile::Profile;
 impl Element {
     /// Evaluates the forces and wears off what their patches wear off in a time of `duration` ≥ 0
     /// [s]; where an interval between updates ends with it, the profiles are updated and the forces
-    /// evaluated anew, on the new ones. Without a wear law it is [`evaluate`](Self::evaluate).
+    /// evaluated anew, on the new ones. With `tangential_history` = transient it is a step from what
+    /// contacts remember, which they remember then. Without either it is
+    /// [`evaluate`](Self::evaluate).
     ///
     /// # Errors
     /// The input at fault, by its FMU name, or a duration that is negative or not finite; nothing
-    /// is worn off then.
+    /// is worn off then, and the history stays.
     pub fn advance(
         &mut self,
         input: &Input,
         output: &mut Output,
         duration: f64,
     ) -> Result<(), ContactError> {
-        if !(duration.is_finite() && duration >= 0.0) {
-            let allowed = "a finite time in seconds, at least 0";
-            return Err(ContactError::bad_value("duration", duration, allowed));
+        check_duration(duration)?;
+        if self.remembers() {
+            return self.step(input, output, duration);
         }
         self.accumulate(input, output, duration)?;
         let Some(wear) = &mut self.models.wear else { return Ok(()) };

@@ -3,7 +3,7 @@
 //! ```text
 //! tag, format, GUID                 what it is, and of which variables
 //! purpose, life, prepared, evaluated
-//!                                   one byte each
+//!                                   one byte each; evaluated is 2 where outputs are held
 //! experiment, time
 //! nominal heights
 //! inputs and parameters             in the order of the variables
@@ -14,13 +14,16 @@
 //! of each element:
 //! fallbacks
 //! rails with a mass                 one byte whether they have been moved on; deflection, velocity, error of the last step
+//! contact                           one byte whether it remembers; how many numbers, and these
 //! wear                              one byte whether there is any; clock; wheel and rails:
 //!                                   one byte whether it is there, number of cells, totals and
 //!                                   sums since the last update, three numbers
+//! outputs                           where they are held, in the order of the variables
 //! checksum                          CRC-32 of all before
 //! ```
 //!
-//! Numbers are little-endian; a text has its length before it. Outputs follow from the inputs.
+//! Numbers are little-endian; a text has its length before it. Outputs follow from the inputs, but
+//! those of steps whose contacts remember, which are held.
 
 mod layout;
 mod reader;

@@ -42,6 +42,12 @@ impl<S: Described + Subject> Instance<S> {
         sensitivity: &mut [f64],
     ) -> Result<(), FmiError> {
         let asked = self.asked(unknowns)?;
+        if self.remembers() && (asked.outputs || asked.slopes) {
+            return Err(FmiError::from(ContactError::NoDerivative {
+                name: Some("tangential.history = transient"),
+                reason: "forces follow from steps, not from inputs alone; take differences of steps from a saved state",
+            }));
+        }
         let mut by_parameters = false;
         for (&reference, &seed) in knowns.iter().zip(seed) {
             let known = known(self.interface, S::UNIT, reference, self.state)?;

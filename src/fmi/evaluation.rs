@@ -5,7 +5,7 @@ use super::instance::{Idle, Instance};
 use super::life_cycle::Purpose;
 use super::logger::{Category, Logger};
 use super::types::Status;
-use crate::element::parameters::WearModel;
+use crate::element::parameters::{TangentialHistory, WearModel};
 use crate::element::{Remark, remarks, without_effect};
 use crate::error::ContactError;
 use crate::variables::{Causality, Described, ValuesOf};
@@ -27,6 +27,7 @@ impl<S: Described> Instance<S> {
                         .into(),
                 }));
             }
+            self.check_history()?;
             let (parameters, input) = (&self.values.parameters, &self.values.input);
             let element = S::prepare(parameters, input, &self.profile_folders)?;
             self.values.nominal = element.nominal();
@@ -109,6 +110,38 @@ impl<S: Described> Instance<S> {
             !is_given
         });
         status
+    }
+
+    /// Whether contacts with memory go with what the instance is for.
+    fn check_history(&self) -> Result<(), FmiError> {
+        let refused = |allowed: &str| {
+            Err(FmiError::from(ContactError::BadText {
+                name: "tangential.history".into(),
+                value: "transient".into(),
+                allowed: allowed.into(),
+            }))
+        };
+        if !self.remembers() {
+            return Ok(());
+        }
+        if self.purpose == Purpose::ModelExchange {
+            return refused(
+                "in model exchange steady: a host that integrates by itself asks for forces at times that it may not go \
+                 to; contacts remember the steps of co-simulation",
+            );
+        }
+        if self.values.coupling.monitor {
+            return refused(
+                "with coupling.monitor steady: slopes of forces that follow from steps are none of the inputs alone",
+            );
+        }
+        Ok(())
+    }
+
+    /// Whether contacts remember the steps before, which is the same for all elements.
+    pub(super) fn remembers(&self) -> bool {
+        let all = S::parameters_of_elements(&self.values.parameters);
+        all.first().is_some_and(|own| own.tangential_history == TangentialHistory::Transient)
     }
 
     /// The wear law, which is the same for all elements.

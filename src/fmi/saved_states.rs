@@ -78,11 +78,14 @@ impl<S: Described> Instance<S> {
     }
 
     fn memories(&self) -> [Memory; MAX_ELEMENTS] {
-        let mut memories =
-            [const { Memory { fallbacks: 0, wear: None, track: None } }; MAX_ELEMENTS];
+        let mut memories: [Memory; MAX_ELEMENTS] = Default::default();
         for (memory, element) in memories.iter_mut().zip(self.elements()) {
-            let (wear, track) = (element.wear_state(), element.track_state());
-            *memory = Memory { fallbacks: element.fallbacks(), wear, track };
+            *memory = Memory {
+                fallbacks: element.fallbacks(),
+                wear: element.wear_state(),
+                track: element.track_state(),
+                contact: element.contact_history().cloned(),
+            };
         }
         memories
     }
@@ -109,6 +112,10 @@ impl<S: Described> Instance<S> {
         for (memory, element) in old.memories.iter_mut().zip(self.elements()) {
             (memory.fallbacks, memory.track) = (element.fallbacks(), element.track_state());
             element.copy_wear_state(&mut memory.wear);
+            match (&mut memory.contact, element.contact_history()) {
+                (Some(old), Some(now)) => old.copy_from(now),
+                (old, now) => *old = now.cloned(),
+            }
         }
         old.experiment = self.experiment;
         old.time = self.time;
@@ -146,6 +153,10 @@ impl<S: Described> Instance<S> {
         if let Some(element) = &mut self.element {
             for (element, memory) in element.elements_mut().iter_mut().zip(&saved.memories) {
                 element.set_track_state(memory.track);
+                // One that was made anew remembers nothing.
+                if let Some(history) = &memory.contact {
+                    element.set_contact_history(history);
+                }
             }
             if saved.outputs == Outputs::LeftOut {
                 element.evaluate_all(&self.values.input, &mut self.values.output)?;

@@ -4,7 +4,7 @@ use super::coupling::LastStep;
 use super::extrapolation::Extrapolation;
 use super::held::Held;
 use super::life_cycle::{Experiment, Purpose, State};
-use crate::element::{TrackState, WearState};
+use crate::element::{ContactHistory, TrackState, WearState};
 use crate::variables::{Described, ValuesOf};
 
 /// Everything an instance has to remember; forces follow from it bit for bit.
@@ -47,6 +47,8 @@ pub struct Memory {
     pub wear: Option<WearState>,
     /// Where rails with a mass are, once they have been moved on.
     pub track: Option<TrackState>,
+    /// What contacts remember, if they do.
+    pub contact: Option<ContactHistory>,
 }
 
 /// A wheelset has two.
@@ -59,6 +61,7 @@ pub enum Outputs {
     Stale,
     /// Those of the inputs.
     Evaluated,
-    /// Had been evaluated, and are to be evaluated again: bytes hold no outputs.
+    /// Had been evaluated, and are to be evaluated again: bytes hold no outputs that follow from
+    /// inputs.
     LeftOut,
 }

@@ -80,7 +80,8 @@ impl<S: Described> Instance<S> {
         }
     }
 
-    /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.
+    /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone, unless
+    /// profiles wear or contacts remember.
     ///
     /// A step that ends after the stop time by more than rounding is refused (FMI 2.0, 2.1.6; FMI
     /// 3.0, 2.3.2). A host that sums up its time may find the stop time not quite reached and step
@@ -112,10 +113,8 @@ impl<S: Described> Instance<S> {
             self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
         }
         self.extrapolation.clear();
-        let status = match self.wear_model() {
-            WearModel::Off => Status::Ok,
-            _ => self.wear_off(step, logger)?,
-        };
+        let goes_on = self.wear_model() != WearModel::Off || self.remembers();
+        let status = if goes_on { self.go_on(step, logger)? } else { Status::Ok };
         self.time = time + step;
         Ok(start.map_or(status, |(watched, pairs)| {
             self.watch(step, &pairs);
@@ -123,9 +122,9 @@ impl<S: Described> Instance<S> {
         }))
     }
 
-    /// Wears off what the contacts of the inputs wear off in a step, and evaluates the outputs with
-    /// it.
-    fn wear_off(&mut self, step: f64, logger: &Logger) -> Result<Status, FmiError> {
+    /// Wears off what the contacts of the inputs wear off in a step, or lets them remember it, and
+    /// evaluates the outputs with it.
+    fn go_on(&mut self, step: f64, logger: &Logger) -> Result<Status, FmiError> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
         let fallbacks = S::fallback_count(&self.values.output);
         element.advance_all(&self.values.input, &mut self.values.output, step)?;

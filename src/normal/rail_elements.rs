@@ -86,7 +86,8 @@ const CLOSED: f64 = 1e-8;
 /// Solves for all that `line` and `rail` overlap where `search` has found them in contact, with
 /// about `elements` along and across each zone, of bodies with the contact modulus `modulus` [Pa],
 /// on a grid with room for a contact that is `room` elements wider on each side; nothing where the
-/// iteration did not converge or no place was found.
+/// iteration did not converge or no place was found. `sized` makes of the length and width of
+/// elements that these would have those that they have.
 #[must_use]
 pub fn solve(
     line: &ContactLine,
@@ -95,6 +96,7 @@ pub fn solve(
     elements: [usize; 2],
     modulus: f64,
     room: usize,
+    sized: impl Fn([f64; 2]) -> [f64; 2],
 ) -> Option<RailElements> {
     let arcs = rail.arcs();
     let section = Section { line, rail, arcs: &arcs };
@@ -110,7 +112,7 @@ pub fn solve(
         zones.extend(lattice::zones(&found.grid, &found.pressure));
     }
     let mut box_of_load = extent_of(&zones)?;
-    let size = element_size(&zones, box_of_load, elements);
+    let size = sized(element_size(&zones, box_of_load, elements));
     let origin = overlaps.iter().find_map(|overlap| overlap.end).unwrap_or(0.0);
     for _ in 0..MAX_GROWTHS {
         let grid = lattice::covering(box_of_load, size, origin, room);

@@ -6,8 +6,8 @@ use crate::element::Element;
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
     CreepageModel, FallingLaw, FlatShape, Flexibilities, FoundationModel, FrictionDistribution,
-    Motion, NormalModel, Placement, RAILS, ShapeFit, Side, TangentialModel, TractionBound,
-    VerticalMode, WearDistribution, WearModel,
+    Motion, NormalModel, Placement, RAILS, ShapeFit, Side, TangentialHistory, TangentialModel,
+    TractionBound, VerticalMode, WearDistribution, WearModel,
 };
 use crate::wheelset::Wheelset;
 

@@ -103,7 +103,7 @@ pub trait Described: Subject {
     fn output_slot(values: &mut ValuesOf<Self>, reference: usize) -> Option<&mut f64>;
     /// Sets a real parameter that stands for several fields.
     fn set_real(values: &mut ValuesOf<Self>, reference: usize, value: f64);
-    /// Sets an integer or an enumeration, whose value was checked.
+    /// Sets an integer or an enumeration, whose value was checked, or a whole output.
     fn set_integer(values: &mut ValuesOf<Self>, reference: usize, value: i32);
     /// Sets a boolean variable.
     fn set_boolean(values: &mut ValuesOf<Self>, reference: usize, value: bool);

@@ -44,7 +44,7 @@ use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
 use crate::element::subject::{BySubject, Subject};
 use crate::element::work_pairs::{WorkPairs, work_pairs};
-use crate::element::{self, Element, FreeRolling};
+use crate::element::{self, Element, FreeRolling, check_duration};
 use crate::error::ContactError;
 use guiding::guiding;
 use irregularity::Irregularities;
@@ -154,8 +154,8 @@ impl Wheelset {
         self.both(input, output, Element::evaluate)
     }
 
-    /// Evaluates the forces and wears off what a time of `duration` ≥ 0 [s] wears off, as
-    /// [`Element::advance`].
+    /// Evaluates the forces and wears off what a time of `duration` ≥ 0 [s] wears off, or makes a
+    /// step of contacts that remember, as [`Element::advance`].
     ///
     /// # Errors
     /// The input at fault, by its name, or a duration that is negative or not finite; nothing is
@@ -166,7 +166,17 @@ impl Wheelset {
         output: &mut Output,
         duration: f64,
     ) -> Result<(), ContactError> {
-        self.both(input, output, |element, input, output| element.advance(input, output, duration))
+        if !self.elements.iter().any(Element::remembers) {
+            return self.both(input, output, |element, input, output| {
+                element.advance(input, output, duration)
+            });
+        }
+        check_duration(duration)?;
+        // Trials of given loads are steps too.
+        self.elements.iter_mut().for_each(|element| element.begin_step(duration));
+        let done = self.both(input, output, Element::evaluate);
+        self.elements.iter_mut().for_each(|element| element.end_step(done.is_ok()));
+        done
     }
 
     /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go

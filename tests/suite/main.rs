@@ -18,6 +18,7 @@ mod creepage;
 mod derivatives;
 mod docs;
 mod element;
+mod element_history;
 mod element_normal;
 mod errors;
 mod field_profiles;

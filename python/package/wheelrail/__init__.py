@@ -3,8 +3,8 @@
 `Element` is one wheel with the rails under it, `WheelSet` two on an axle; :mod:`wheelrail.planar` contact
 problems given by a separation, :mod:`wheelrail.frequency` how creep forces follow oscillations,
 :mod:`wheelrail.subsurface` stresses below the surface,
-:mod:`wheelrail.conicity` the contact geometry of a wheelset, `WearRun` profiles that wear. :mod:`wheelrail.bulk`
-evaluates tables larger than memory, :mod:`wheelrail.dask` on several machines, :mod:`wheelrail.plot`
+:mod:`wheelrail.conicity` the contact geometry of a wheelset, `WearRun` profiles that wear, `TransientRun` contacts
+that remember. :mod:`wheelrail.bulk` evaluates tables larger than memory, :mod:`wheelrail.dask` on several machines, :mod:`wheelrail.plot`
 draws. `fmu` gives the path of the FMUs that come with it, `pack` one with your profiles inside.
 
 Track frame: x forward, y to the right, z down; SI and radians.
@@ -31,6 +31,7 @@ from .errors import (
     ProfileError,
     UnknownVariableError,
 )
+from .transient import TransientRun
 from .wear import WearRun
 
 #: Modules that are imported when they are first asked for: they need pandas, matplotlib or Dask.
@@ -61,6 +62,7 @@ __all__ = [
     "ProfileError",
     "Remark",
     "Result",
+    "TransientRun",
     "UnknownVariableError",
     "Variable",
     "WearRun",

@@ -209,6 +209,8 @@ class ElementParameters(TypedDict, total=False):
     """Floor of the speed to which creepages refer [m/s]."""
     tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "marches"]
     """Tangential contact model."""
+    tangential_history: Literal["steady", "transient"]
+    """Whether tractions are those of steady rolling, or follow from those of the steps before."""
     tangential_elements_along: int
     """Elements along each strip of fastsim, fastsim_corrected and fastrip; other models do not use it."""
     tangential_bound: Literal["elliptic", "parabolic"]
@@ -1118,6 +1120,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Floor of the speed to which creepages refer [m/s]."""
     tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "marches"]
     """Tangential contact model."""
+    tangential_history: Literal["steady", "transient"]
+    """Whether tractions are those of steady rolling, or follow from those of the steps before."""
     tangential_elements_along: int
     """Elements along each strip of fastsim, fastsim_corrected and fastrip; other models do not use it."""
     tangential_bound: Literal["elliptic", "parabolic"]

@@ -9,10 +9,10 @@ import numpy.typing as npt
 
 __all__ = [
     "Places",
+    "SteppedWheel",
     "SurfaceLoad",
     "TransientContact",
     "Wheel",
-    "WearingWheel",
     "Wheelset",
     "__version__",
     "adjoint_of",
@@ -114,11 +114,14 @@ class Wheelset:
     ) -> None: ...
 
 @final
-class WearingWheel:
-    def __new__(cls, settings: _Settings, folders: Sequence[str]) -> WearingWheel: ...
+class SteppedWheel:
+    def __new__(cls, settings: _Settings, folders: Sequence[str]) -> SteppedWheel: ...
     def advance(
         self, inputs: _Columns, durations: _Floats, outputs: Sequence[int], out: _Floats
     ) -> None: ...
+    @property
+    def history(self) -> _Floats: ...
+    def set_history(self, numbers: _Floats) -> None: ...
     def profile(self, body: int, count: int) -> _Floats: ...
     def depth(self, body: int) -> _Floats: ...
 

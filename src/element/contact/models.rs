@@ -2,8 +2,9 @@
 
 use super::given_tractions::GivenTractions;
 use super::rolling_zones::RollingZones;
+use crate::element::contact_history::Remembering;
 use crate::element::output::Patch;
-use crate::element::parameters::{CreepageModel, Parameters, VerticalMode};
+use crate::element::parameters::{CreepageModel, Parameters, TangentialHistory, VerticalMode};
 use crate::element::wear_sums::WearSums;
 use crate::geometry::contacts::contact_search::MAX_CONTACTS;
 use crate::geometry::rail::varying_rail::MovingOutline;
@@ -77,6 +78,8 @@ pub struct Models<T = f64> {
     pub shear_yield: f64,
     /// Wear, if there is any.
     pub wear: Option<Box<WearSums>>,
+    /// What contacts remember, if tractions follow from steps before.
+    pub memory: Option<Box<Remembering>>,
 }
 
 impl Models {
@@ -133,6 +136,7 @@ impl Models {
             patches: FixedVec::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
+            memory: None,
         }
     }
 
@@ -198,6 +202,8 @@ impl Models {
             patches: FixedVec::new(parameters.rails.len() * frames * zones),
             shear_yield: parameters.shear_yield,
             wear: None,
+            memory: (parameters.tangential_history == TangentialHistory::Transient)
+                .then(Box::default),
         }
     }
 }

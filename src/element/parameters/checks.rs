@@ -5,11 +5,12 @@ use std::f64::consts::TAU;
 use super::ranges;
 use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::element::parameters::{
-    FlatShape, FoundationModel, FrictionDistribution, NormalModel, Parameters, TangentialModel,
-    VerticalMode, WearModel,
+    FlatShape, FoundationModel, FrictionDistribution, NormalModel, Parameters, TangentialHistory,
+    TangentialModel, VerticalMode, WearModel,
 };
 use crate::error::ContactError;
 use crate::geometry::sections::slices::Slices;
+use crate::material::MaterialPair;
 
 /// Steepest waves that are admitted [-].
 const MAX_SLOPE: f64 = 0.3;
@@ -30,7 +31,40 @@ impl Parameters {
         self.check_friction()?;
         self.check_foundation()?;
         self.check_rollers()?;
-        self.check_wear()
+        self.check_wear()?;
+        self.check_history()
+    }
+
+    /// Whether models and bodies go with contact with memory.
+    fn check_history(&self) -> Result<(), ContactError> {
+        if self.tangential_history == TangentialHistory::Steady {
+            return Ok(());
+        }
+        let [wheel, rail] = self.materials();
+        let laws = [&self.friction_law, &self.gauge_face_law];
+        let why = if self.tangential_model != TangentialModel::BoundaryElement {
+            "with tangential.model boundary_element"
+        } else if self.normal_model != NormalModel::BoundaryElement {
+            "with normal.model boundary_element"
+        } else if self.foundation.model != FoundationModel::Rigid {
+            "with track.foundation.model rigid"
+        } else if self.wear.model != WearModel::Off {
+            "with wear.model off"
+        } else if laws.iter().any(|law| law.is_on()) {
+            "with friction that does not fall with slip and bodies that are not softened: \
+             friction.falling and friction.reduction, those of the gauge face too, at 1"
+        } else if self.flash_temperature.is_on() {
+            "with friction that does not fall with heat: friction.temperature.share at 1"
+        } else if MaterialPair::new(wheel, rail).is_unlike() {
+            "with wheel and rail of like materials, |K| of 0.002 at most"
+        } else {
+            return Ok(());
+        };
+        Err(ContactError::BadText {
+            name: "tangential.history".into(),
+            value: "transient".into(),
+            allowed: format!("{why}; else steady"),
+        })
     }
 
     /// Whether rails that move are under a wheel that moves.
@@ -195,6 +229,9 @@ impl Parameters {
         if self.friction_distribution == FrictionDistribution::Profile {
             return refuse("where friction.distribution is profile");
         }
+        if self.tangential_history != TangentialHistory::Steady {
+            return refuse("as tangential.history is not steady");
+        }
         Ok(())
     }
 
@@ -217,6 +254,9 @@ impl Parameters {
         }
         if self.wear.model != WearModel::Off {
             return refuse("as wear.model is not off: what wears is one profile");
+        }
+        if self.tangential_history != TangentialHistory::Steady {
+            return refuse("as tangential.history is not steady");
         }
         Ok(())
     }

@@ -33,11 +33,14 @@ pub fn add<'a>(
     output: &mut Output,
     work: &mut Work,
 ) -> Option<u64> {
-    let line = forces(*search.contacts.first()?, [0.0; 2], Damped::Alone).line;
+    let ContactSetup { line, k, .. } = forces(*search.contacts.first()?, [0.0; 2], Damped::Alone);
     let modulus = models.material.contact_modulus;
     let is_coupled = models.is_coupled();
     let room = if is_coupled { ROOM } else { 0 };
-    let mut elements = rail_elements::solve(&line, rail, search, models.elements, modulus, room)?;
+    let memory = models.memory.as_deref();
+    let sized = |wanted| memory.map_or(wanted, |memory| memory.before(k).size_for(wanted));
+    let counts = models.elements;
+    let mut elements = rail_elements::solve(&line, rail, search, counts, modulus, room, sized)?;
     models.rail_strips.clear();
     let mut left_out = elements.fill(&mut models.rail_strips) as u64;
     let mut zones = rolling_zones(&elements, rail, forces, models);
@@ -51,7 +54,14 @@ pub fn add<'a>(
             left_out += u64::from(coupled.is_none());
         }
         match coupled {
-            None => rolling.tractions(&elements, &zones, models),
+            None => match models.memory.take() {
+                None => rolling.tractions(&elements, &zones, models),
+                Some(mut memory) => {
+                    let found = rolling.remembered(&elements, &zones, models, &mut memory);
+                    models.memory = Some(memory);
+                    found
+                }
+            },
             Some(coupled) => {
                 let alone = std::mem::replace(&mut elements.pressure, coupled.pressure);
                 elements.residual = coupled.residual;

@@ -219,6 +219,9 @@ impl RailContact {
             }
             left_out += 1;
             models.is_uncoupled |= models.is_coupled();
+            if let Some(memory) = &mut models.memory {
+                memory.stay(k);
+            }
         }
         for index in 0..self.search.contacts.len() {
             let (rail, search) = (&self.rail, &mut self.search);

@@ -6,7 +6,7 @@ use crate::variables::{Causality, Described, Variable};
 pub(super) const TAG: &[u8] = b"wheelrail state";
 
 /// To be counted up when the layout changes; a change of variables shows in the GUID.
-pub(super) const FORMAT: u32 = 5;
+pub(super) const FORMAT: u32 = 6;
 
 pub(super) const STATES: [State; 6] = [
     State::Instantiated,
@@ -20,6 +20,14 @@ pub(super) const STATES: [State; 6] = [
 /// Heights of first touch.
 pub(super) fn calculated<S: Described>() -> impl Iterator<Item = &'static Variable> {
     S::UNIT.variables.iter().filter(|v| v.causality == Causality::CalculatedParameter)
+}
+
+/// Of outputs that are evaluated and held.
+pub(super) const HELD: u8 = 2;
+
+/// Outputs of an evaluation.
+pub(super) fn outputs<S: Described>() -> impl Iterator<Item = &'static Variable> {
+    S::UNIT.variables.iter().filter(|v| v.causality == Causality::Output && !v.on_request)
 }
 
 /// Inputs and parameters.

@@ -1,9 +1,9 @@
 //! The state of bytes, checked.
 
-use super::layout::{FORMAT, STATES, TAG, calculated, settable};
+use super::layout::{FORMAT, HELD, STATES, TAG, calculated, outputs, settable};
 use crate::element::parameters::RAILS;
 use crate::element::work_pairs::MAX_PAIRS;
-use crate::element::{TrackState, WearState};
+use crate::element::{ContactHistory, TrackState, WearState};
 use crate::fmi::coupling::LastStep;
 use crate::fmi::error::FmiError;
 use crate::fmi::extrapolation::{Extrapolation, ORDERS};
@@ -125,8 +125,20 @@ impl<'a> Reader<'a> {
     fn memory(&mut self) -> Option<Memory> {
         let fallbacks = u64::from_le_bytes(self.array()?);
         let track = if self.boolean()? { Some(self.track()?) } else { None };
+        let contact = if self.boolean()? { Some(self.contact()?) } else { None };
         let wear = if self.boolean()? { Some(self.wear()?) } else { None };
-        Some(Memory { fallbacks, wear, track })
+        Some(Memory { fallbacks, wear, track, contact })
+    }
+
+    /// What contacts remember.
+    fn contact(&mut self) -> Option<ContactHistory> {
+        let count = u32::from_le_bytes(self.array()?) as usize;
+        // No more room than there are bytes for.
+        if count > self.0.len() / 8 {
+            return None;
+        }
+        let numbers = (0..count).map(|_| self.real()).collect::<Option<Vec<f64>>>()?;
+        ContactHistory::from_numbers(&numbers).ok()
     }
 
     /// Where rails with a mass are.
@@ -134,6 +146,24 @@ impl<'a> Reader<'a> {
         let deflection = [self.finite()?, self.finite()?];
         let velocity = [self.finite()?, self.finite()?];
         Some(TrackState { deflection, velocity, step_error: self.amount()? })
+    }
+
+    /// Outputs that are held.
+    fn outputs<S: Described>(&mut self, values: &mut ValuesOf<S>) -> Option<()> {
+        for variable in outputs::<S>() {
+            match variable.kind {
+                Kind::Real => {
+                    let value = self.finite()?;
+                    *S::output_slot(values, variable.reference)? = value;
+                }
+                Kind::Integer | Kind::Enumeration(_) => {
+                    let value = i32::from_le_bytes(self.array()?);
+                    S::set_integer(values, variable.reference, value);
+                }
+                Kind::Boolean | Kind::Text => {}
+            }
+        }
+        Some(())
     }
 
     /// Everything after the head; every value is one that could have been set.
@@ -145,7 +175,8 @@ impl<'a> Reader<'a> {
             Purpose::ModelExchange => state == State::Stepping,
             Purpose::CoSimulation => matches!(state, State::EventMode | State::ContinuousTime),
         };
-        let (prepared, evaluated) = (self.boolean()?, self.boolean()?);
+        let prepared = self.boolean()?;
+        let [evaluated] = self.array()?;
         let (planned, stops) = (self.boolean()?, self.boolean()?);
         let [start, stop, time] = [self.real()?, self.real()?, self.real()?];
         if ![start, stop, time].iter().all(|number| number.is_finite()) {
@@ -189,6 +220,15 @@ impl<'a> Reader<'a> {
         for memory in memories.iter_mut().take(S::PREFIXES.len()) {
             *memory = self.memory()?;
         }
+        let outputs = match evaluated {
+            0 => Outputs::Stale,
+            1 => Outputs::LeftOut,
+            HELD => {
+                self.outputs(&mut values)?;
+                Outputs::Evaluated
+            }
+            _ => return None,
+        };
         Some(Snapshot {
             purpose,
             state,
@@ -196,7 +236,7 @@ impl<'a> Reader<'a> {
             last_step,
             held,
             memories,
-            outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
+            outputs,
             values,
             extrapolation,
             experiment: planned.then_some(Experiment { start, stop: stops.then_some(stop) }),

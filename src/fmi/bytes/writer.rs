@@ -1,6 +1,6 @@
 //! The bytes of a state.
 
-use super::layout::{FORMAT, STATES, TAG, calculated, settable};
+use super::layout::{FORMAT, HELD, STATES, TAG, calculated, outputs, settable};
 use crate::element::TrackState;
 use crate::fmi::coupling::LastStep;
 use crate::fmi::life_cycle::Purpose;
@@ -14,9 +14,14 @@ pub fn write<S: Described>(snapshot: &Snapshot<S>) -> Vec<u8> {
     text(&mut bytes, S::UNIT.guid);
     // A closed instance is not asked for its state.
     let life = STATES.iter().position(|s| *s == snapshot.state).unwrap_or_default();
-    let evaluated = snapshot.outputs != Outputs::Stale;
+    let evaluated = match snapshot.outputs {
+        Outputs::Stale => 0,
+        // What steps have led to does not follow from inputs.
+        Outputs::Evaluated if remembers(snapshot) => HELD,
+        Outputs::Evaluated | Outputs::LeftOut => 1,
+    };
     let stepped = snapshot.purpose == Purpose::CoSimulation;
-    bytes.extend([u8::from(stepped), life as u8, u8::from(snapshot.prepared), u8::from(evaluated)]);
+    bytes.extend([u8::from(stepped), life as u8, u8::from(snapshot.prepared), evaluated]);
     let stop = snapshot.experiment.and_then(|e| e.stop);
     bytes.extend([u8::from(snapshot.experiment.is_some()), u8::from(stop.is_some())]);
     for number in
@@ -47,9 +52,23 @@ pub fn write<S: Described>(snapshot: &Snapshot<S>) -> Vec<u8> {
     for memory in snapshot.memories.iter().take(S::PREFIXES.len()) {
         write_memory(memory, &mut bytes);
     }
+    if evaluated == HELD {
+        for variable in outputs::<S>() {
+            match snapshot.values.get(variable) {
+                Value::Real(value) => bytes.extend(value.to_le_bytes()),
+                Value::Integer(value) => bytes.extend(value.to_le_bytes()),
+                // No output is one.
+                Value::Boolean(_) | Value::Text(_) => {}
+            }
+        }
+    }
     let checksum = crc32fast::hash(&bytes);
     bytes.extend(checksum.to_le_bytes());
     bytes
+}
+
+fn remembers<S: Described>(snapshot: &Snapshot<S>) -> bool {
+    snapshot.memories.iter().any(|memory| memory.contact.is_some())
 }
 
 fn write_memory(memory: &Memory, bytes: &mut Vec<u8>) {
@@ -58,6 +77,12 @@ fn write_memory(memory: &Memory, bytes: &mut Vec<u8>) {
     if let Some(TrackState { deflection, velocity, step_error }) = &memory.track {
         let numbers = deflection.iter().chain(velocity).chain([step_error]);
         bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
+    }
+    bytes.push(u8::from(memory.contact.is_some()));
+    if let Some(history) = &memory.contact {
+        let numbers = history.to_numbers();
+        bytes.extend((numbers.len() as u32).to_le_bytes());
+        bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
     }
     bytes.push(u8::from(memory.wear.is_some()));
     let Some(wear) = &memory.wear else { return };

@@ -1,6 +1,6 @@
 //! What a contact remembers between steps.
 
-use super::lattice::{Lattice, Window};
+use crate::boundary_element::steps::{Kept, Lattice};
 use crate::error::ContactError;
 use crate::material::Material;
 
@@ -12,20 +12,18 @@ pub struct History {
     pub(super) lattice: Option<Lattice>,
     /// Materials of wheel and rail, from the first step on.
     pub(super) materials: Option<[Material; 2]>,
-    /// The elements with tractions.
-    pub(super) window: Window,
-    /// Traction (x, y) on the wheel of each, the leading column of each row first [Pa].
-    pub(super) tractions: Vec<[f64; 2]>,
+    /// The tractions.
+    pub(super) kept: Kept,
 }
 
-/// Numbers before the tractions.
-const HEAD: usize = 14;
+/// Numbers before those of the tractions.
+const HEAD: usize = 10;
 
 impl History {
     /// All of it as numbers, to store: [`Self::from_numbers`] gives the same to the bit.
     #[must_use]
     pub fn to_numbers(&self) -> Vec<f64> {
-        let mut numbers = Vec::with_capacity(HEAD + 2 * self.tractions.len());
+        let mut numbers = Vec::with_capacity(HEAD + self.kept.numbers());
         numbers.push(f64::from(u8::from(self.lattice.is_some())));
         let Lattice { size, origin } =
             self.lattice.unwrap_or(Lattice { size: [0.0; 2], origin: [0.0; 2] });
@@ -35,9 +33,7 @@ impl History {
         for material in self.materials.unwrap_or([none; 2]) {
             numbers.extend([material.young_modulus, material.poisson_ratio]);
         }
-        numbers.extend(self.window.first.map(|n| n as f64));
-        numbers.extend(self.window.count.map(|n| n as f64));
-        numbers.extend(self.tractions.iter().flatten());
+        self.kept.append_to(&mut numbers);
         numbers
     }
 
@@ -54,11 +50,9 @@ impl History {
         let (Some(head), Some(rest)) = (numbers.get(..HEAD), numbers.get(HEAD..)) else {
             return Err(refused(numbers.len() as f64));
         };
-        let (tractions, odd) = rest.as_chunks::<2>();
-        let count = [head[12], head[13]].map(|n| n as usize);
-        if !odd.is_empty() || count[0].checked_mul(count[1]) != Some(tractions.len()) {
+        let Some((kept, [])) = Kept::from_numbers(rest) else {
             return Err(refused(numbers.len() as f64));
-        }
+        };
         let lattice = Lattice { size: [head[1], head[2]], origin: [head[3], head[4]] };
         let has_lattice = head[0] > 0.0;
         if has_lattice && !(lattice.size[0] > 0.0 && lattice.size[1] > 0.0) {
@@ -69,8 +63,7 @@ impl History {
         Ok(Self {
             lattice: has_lattice.then_some(lattice),
             materials: (head[5] > 0.0).then(|| [material(6), material(8)]),
-            window: Window { first: [head[10], head[11]].map(|n| n as i64), count },
-            tractions: tractions.to_vec(),
+            kept,
         })
     }
 }

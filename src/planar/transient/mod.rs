@@ -3,16 +3,11 @@
 //! Each step has a state (separation, radius, indentation, creepage, friction), the distance rolled
 //! since the state before, and a shift. The pressure is that of the state; tractions follow from
 //! those of the step before ([`crate::boundary_element::transient`]), on elements of one endless
-//! lattice, so that contacts grow, shrink, move, split, merge, end and begin.
-//!
-//! A step longer than an element is divided into steps of an element, and, beyond the length of the
-//! contact, of a tenth of what lies behind them in the step. Of a step many times as long as the
-//! contact nothing but steady rolling is left: it is solved as that.
+//! lattice, in steps of any length ([`crate::boundary_element::steps`]).
 
 mod check;
 mod given_force;
 mod history;
-mod lattice;
 mod pressed;
 mod substep;
 mod walk;
@@ -21,12 +16,12 @@ pub use history::History;
 
 use super::{PlanarCase, PlanarResult};
 use crate::boundary_element::grid::Grid;
+use crate::boundary_element::steps::Lattice;
 use crate::error::ContactError;
 use crate::kinematics::creepage::bounded;
 use crate::open::Open;
 use crate::tangential::field::ContactField;
 use check::{check, first_force};
-use lattice::{Lattice, Window};
 use pressed::{Pressed, first_lattice, press_on};
 use walk::Walk;
 
@@ -157,7 +152,7 @@ impl TransientContact {
             if let Some((name, force)) = first_force(motion) {
                 return Err(ContactError::bad_value(name, force, "0 where there is no contact"));
             }
-            (history.window, history.tractions) = (Window::default(), Vec::new());
+            history.kept.clear();
             *self = Self { history, last: None };
             let displacement = displacement(case, motion);
             return Ok(TransientResult { displacement, converged: true, ..Default::default() });
@@ -167,8 +162,8 @@ impl TransientContact {
         walk.go(&history, lattice)?;
         let mut result = walk.result(&strips);
         result.contact.fallback = left_out > 0;
-        history.window = window;
-        history.tractions.clone_from(&walk.tractions);
+        history.kept.window = window;
+        history.kept.tractions = walk.tractions().to_vec();
         let last = walk.field(field.pressure);
         *self = Self { history, last: Some(last) };
         Ok(result)

@@ -1,6 +1,6 @@
 //! The normal solution of a state on the elements of the lattice.
 
-use super::lattice::{Lattice, Window};
+use crate::boundary_element::steps::{Lattice, Window};
 use crate::error::ContactError;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;

@@ -4,6 +4,7 @@ use super::check::FORCES;
 use super::given_force::{Forces, displacement_for};
 use crate::boundary_element::friction::Tractions;
 use crate::boundary_element::grid::Grid;
+use crate::boundary_element::steps::Solve;
 use crate::error::ContactError;
 
 /// Sum of the tractions [N].
@@ -19,10 +20,6 @@ pub struct Advanced {
     /// Rigid displacement (x, y, turn).
     pub displacement: [f64; 3],
 }
-
-/// Tractions for the rigid displacement of each element and tractions to begin with; it is told
-/// whether slopes are found from them.
-pub type Solve<'a> = dyn FnMut(&[[f64; 2]], &[[f64; 2]], bool) -> Tractions + 'a;
 
 /// Forces that are given.
 pub struct Given {

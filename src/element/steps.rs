@@ -1,0 +1,73 @@
+//! Steps of an element whose contacts remember those before.
+//!
+//! [`Element::evaluate`] leaves the history as it is: it is a step of no length from it. Whoever
+//! knows that time has passed says so with [`Element::advance`]. All trials on the way to a step,
+//! as of a given load, begin with the same history.
+
+use super::contact_history::ContactHistory;
+use super::{Element, Input, Output};
+use crate::error::ContactError;
+
+impl Element {
+    /// Whether tractions follow from those of the steps before.
+    pub(crate) fn remembers(&self) -> bool {
+        self.models.memory.is_some()
+    }
+
+    /// What contacts remember, if they do.
+    #[must_use]
+    pub fn contact_history(&self) -> Option<&ContactHistory> {
+        self.models.memory.as_ref().map(|memory| &memory.history)
+    }
+
+    /// Goes back, or on, to another history of an element with the same parameters; whether there is
+    /// one. Steps after it are those after it before, to the bit.
+    pub fn set_contact_history(&mut self, history: &ContactHistory) -> bool {
+        let Some(memory) = &mut self.models.memory else { return false };
+        memory.history.copy_from(history);
+        true
+    }
+
+    /// Makes the next evaluations ends of a step of `duration` ≥ 0 [s]; the history stays until
+    /// [`end_step`](Self::end_step).
+    pub(crate) fn begin_step(&mut self, duration: f64) {
+        if let Some(memory) = &mut self.models.memory {
+            memory.duration = duration;
+        }
+    }
+
+    /// Ends the step under way; where it `is_made`, what the last evaluation left is remembered.
+    pub(crate) fn end_step(&mut self, is_made: bool) {
+        if let Some(memory) = &mut self.models.memory {
+            memory.duration = 0.0;
+            if is_made {
+                memory.commit();
+            }
+        }
+    }
+
+    /// Evaluates the forces at the end of a step of `duration` ≥ 0 [s], and remembers it.
+    pub(super) fn step(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        self.begin_step(duration);
+        let done = self.evaluate(input, output);
+        self.end_step(done.is_ok());
+        done
+    }
+}
+
+/// Whether a step may be so long.
+///
+/// # Errors
+/// A duration that is negative or not finite.
+pub(crate) fn check_duration(duration: f64) -> Result<(), ContactError> {
+    if duration.is_finite() && duration >= 0.0 {
+        return Ok(());
+    }
+    let allowed = "a finite time in seconds, at least 0";
+    Err(ContactError::bad_value("duration", duration, allowed))
+}
