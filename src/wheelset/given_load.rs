@@ -29,8 +29,8 @@ const MOST_TRIALS: usize = 12;
 /// Longest step over the depth of a load.
 const LONGEST: f64 = 0.5;
 /// What may be left of the balances at the last pose but one, over loads and their depths: the step
-/// from it leaves a thousandth of that.
-const NEARLY: f64 = 1e-8;
+/// from it leaves less than a hundredth of that, 1e-15 m.
+const NEARLY: f64 = 1e-9;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
