@@ -19,7 +19,6 @@
 
 use super::input::Input;
 use super::output::Output;
-use super::vertical_load::ACCURACY;
 use super::wheel_on_rails::Element;
 use crate::normal::{Descent, Pose};
 
@@ -169,7 +168,7 @@ impl Balance {
         let is_placed = match last.before {
             // The vertical force is the load, the lateral one the load times `aside`.
             None => (wrong * way).abs() + self.turned.abs() <= MISPLACED,
-            Some(before) => (load - before).abs() <= ACCURACY * load,
+            Some(before) => (load - before).abs() <= MISSING * load,
         };
         is_placed && missing.abs() <= MISSING && self.lateral().abs() <= MISPLACED
     }

@@ -32,6 +32,16 @@ pub(super) enum To {
     OneBefore,
 }
 
+/// Where a balance is sought from, and how far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// What is known about how the load is carried.
+    pub about: Carried,
+    /// What the first pose has to do with that of the last problem.
+    pub pose: Pose,
+    pub to: To,
+}
+
 /// How a wheel is carried where nothing is left of its balance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
@@ -107,11 +117,13 @@ impl Element {
         let held = Held { load: input.wheel_load, lateral_stiffness: None };
         let given = *input;
         let mut found = expected.and_then(|about| {
-            self.balanced(held, &about, Pose::Near, To::TheEnd, &given, input, output)
+            let way = Way { about, pose: Pose::Near, to: To::TheEnd };
+            self.balanced(held, way, &given, input, output)
         });
         if found.is_none() {
             let about = self.guess(clear, input, output)?;
-            found = self.balanced(held, &about, Pose::New, To::TheEnd, &given, input, output);
+            let way = Way { about, pose: Pose::New, to: To::TheEnd };
+            found = self.balanced(held, way, &given, input, output);
         }
         let Found { carried, left_out, .. } = found?;
         input.wheel.position[2] = carried.z;
@@ -125,15 +137,13 @@ impl Element {
     pub(super) fn balanced(
         &mut self,
         held: Held,
-        about: &Carried,
-        mut pose: Pose,
-        to: To,
+        way: Way,
         given: &Input,
         input: &mut Input,
         output: &mut Output,
     ) -> Option<Found> {
         let mut search = None::<(Balance, Broyden<3>)>;
-        let (mut about, mut first) = (*about, 0.0);
+        let (Way { mut about, mut pose, to }, mut first) = (way, 0.0);
         for _ in 0..MOST_TRIALS {
             *input = self.put(given, &held, &about);
             let here = self.press(&about, pose, input, output)?;

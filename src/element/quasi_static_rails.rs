@@ -20,7 +20,7 @@ use super::balance::Carried;
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, move_all};
-use super::load_by_stiffness::To;
+use super::load_by_stiffness::{To, Way};
 use super::output::Output;
 use super::parameters::foundation::TrackState;
 use super::parameters::{FoundationModel, Side, VerticalMode};
@@ -194,7 +194,8 @@ impl Element {
         input.wheel.position[2] = -self.nominal_radius;
         let clear = self.height_near_touch(input);
         let about = clear.is_finite().then(|| self.guess(clear, input, output))??;
-        let found = self.balanced(held, &about, Pose::New, To::OneBefore, given, input, output)?;
+        let way = Way { about, pose: Pose::New, to: To::OneBefore };
+        let found = self.balanced(held, way, given, input, output)?;
         let is_sure = (1.0 - found.at_once).abs() < MOST_GROWTH && found.left_out == 0;
         is_sure.then_some((found.carried.aside, 0.0))
     }

@@ -38,7 +38,7 @@ pub(super) const MAX_STEPS: usize = 27;
 /// Guesses from the power law before the bracketed search.
 const GUESSES: usize = 4;
 /// Difference from the load, as a share of it, that ends the search.
-pub(super) const ACCURACY: f64 = 1e-11;
+const ACCURACY: f64 = 1e-11;
 /// Difference from the load from which on it counts as not carried: share of the load and force
 /// [N].
 const MISSED: [f64; 2] = [1e-6, 1e-3];

@@ -34,6 +34,14 @@ const NEARLY: f64 = 1e-9;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
+/// About how both wheels carry their loads.
+struct Guessed {
+    about: [Carried; 2],
+    /// How far down each wheel may go with the roll, as its place of contact turns about its marker
+    /// [m].
+    slopes: [f64; 2],
+}
+
 impl Wheelset {
     /// The input with the height and roll found for its loads, and whether none was.
     ///
@@ -101,7 +109,8 @@ impl Wheelset {
         at.wheelset.roll = 0.0;
         // What was expected by a search before this one is of another roll.
         self.elements.iter_mut().for_each(|element| element.expect(None));
-        let Some((mut about, slopes)) = self.guess_loads(&mut at, trial)? else { return Ok(None) };
+        let Some(guessed) = self.guess_loads(&mut at, trial)? else { return Ok(None) };
+        let Guessed { mut about, slopes } = guessed;
         let (mut both, mut pose) = (None::<BothWheels>, Pose::New);
         for _ in 0..MOST_TRIALS {
             let Some(posed) = self.pose_both(&at, &mut about, pose, trial)? else {
@@ -155,8 +164,7 @@ impl Wheelset {
     }
 
     /// Puts the wheelset of `at` where each side by itself carries its load about, the axle between
-    /// them, from no roll on; how that is, and how far up the place of contact of each side goes
-    /// with the roll, against its marker [m].
+    /// them, from no roll on, and says how that is.
     ///
     /// # Errors
     /// The input at fault, by its name.
@@ -164,7 +172,7 @@ impl Wheelset {
         &mut self,
         at: &mut Input,
         trial: &mut Output,
-    ) -> Result<Option<([Carried; 2], [f64; 2])>, ContactError> {
+    ) -> Result<Option<Guessed>, ContactError> {
         let mut guessed = [None; 2];
         let (mut heights, mut slopes) = ([0.0; 2], [0.0; 2]);
         for k in [RIGHT, LEFT] {
@@ -193,6 +201,7 @@ impl Wheelset {
         let middles = [RIGHT, LEFT]
             .map(|k| heights[k] + slopes[k] * at.wheelset.roll - self.markers[k] * axle);
         at.wheelset.position[2] = 0.5 * (middles[RIGHT] + middles[LEFT]);
-        Ok((at.wheelset.roll.abs() < MAX_ROLL).then_some(([right, left], slopes)))
+        let about = [right, left];
+        Ok((at.wheelset.roll.abs() < MAX_ROLL).then_some(Guessed { about, slopes }))
     }
 }
