@@ -8,7 +8,7 @@
 //! ```text
 //! Δz(z, N, y) = 0          no way is left from the pose to where its forces are
 //! F_z = load
-//! F_y = k_y y              where there are such rails: how far they sink says the load
+//! F_y = k_y y              where there are such rails, which sink by load/k_z
 //! ```
 //!
 //! Forces are taken as their power 2/3, in which the first two are nearly straight. What one step
@@ -25,8 +25,14 @@ use crate::normal::{Descent, Pose};
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
 const MISSING: f64 = 1e-10;
 const MISPLACED: f64 = 1e-9;
-/// The same at the last pose but one.
+/// What may be left at the last pose but one, where an evaluation by itself follows: the step to it
+/// leaves a thousandth of that, less than [`MISSING`].
 const NEARLY: f64 = 1e-8;
+/// Most poses that are tried.
+pub(crate) const MOST_POSES: usize = 12;
+/// Longest step from one pose to the next over load and depth: farther off, poses have not told
+/// what is there. A wheel is off its rail at 1.5.
+pub(crate) const LONGEST: f64 = 0.5;
 /// Share of a way that the geometry is wrong by at least, whatever poses tell, and where there is
 /// one pose alone: what lateral forces on flanges change by.
 const WRONG: [f64; 2] = [1e-3, 0.05];
@@ -153,8 +159,7 @@ impl Balance {
         lateral_stiffness.map_or(0.0, |k| self.left[2] * self.depth * k / load)
     }
 
-    /// Whether the next pose may be one by itself, for the step to it leaves a thousandth of what is
-    /// left.
+    /// Whether the next pose may be an evaluation by itself.
     pub fn is_nearly_met(&self) -> bool {
         let [way, missing, _] = self.left;
         way.abs().max(missing.abs()).max(self.lateral().abs()) <= NEARLY

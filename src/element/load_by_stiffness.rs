@@ -7,7 +7,7 @@
 
 use nalgebra::SMatrix;
 
-use super::balance::{Balance, Carried, Held, Placed, way_between};
+use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, way_between};
 use super::input::Input;
 use super::output::Output;
 use super::parameters::{FoundationModel, Side};
@@ -16,12 +16,8 @@ use super::wheel_on_rails::Element;
 use crate::math::broyden::Broyden;
 use crate::normal::{Descent, Pose};
 
-/// Most poses that are tried.
-const MOST_TRIALS: usize = 12;
 /// Depth over that of the load about from which on a pose is too far for a guess.
 const FAR: f64 = 3.0;
-/// Longest step over the depth of the load.
-const LONGEST: f64 = 0.5;
 
 /// How far a balance is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,7 +140,7 @@ impl Element {
     ) -> Option<Found> {
         let mut search = None::<(Balance, Broyden<3>)>;
         let (Way { mut about, mut pose, to }, mut first) = (way, 0.0);
-        for _ in 0..MOST_TRIALS {
+        for _ in 0..MOST_POSES {
             *input = self.put(given, &held, &about);
             let here = self.press(&about, pose, input, output)?;
             let Placed { normal, stiffness, left_out, .. } = here;
@@ -187,16 +183,27 @@ impl Element {
         let mirrored = self.side == Side::Left;
         let given = if mirrored { input.mirrored() } else { *input };
         let held = self.held_under_load(&given).filter(|_| input.wheel_load > 0.0)?;
-        let nowhere = Carried { z: -self.nominal_radius, normal: 0.0, stiffness: 0.0, aside: 0.0 };
-        let mut input = self.put(&given, &held, &nowhere);
-        let clear = self.height_near_touch(&input);
-        let about = clear.is_finite().then(|| self.guess(clear, &mut input, output))??;
+        let about = self.guess_held(&held, &given, output)?;
         self.models.patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
         output.patches[0] = *self.models.patches.first()?;
         if mirrored {
             *output = output.mirrored();
         }
         Some(about)
+    }
+
+    /// The same for `given` (right side), which is `held` so, with the forces of all patches.
+    pub(super) fn guess_held(
+        &mut self,
+        held: &Held,
+        given: &Input,
+        output: &mut Output,
+    ) -> Option<Carried> {
+        // From above, whatever the height given.
+        let nowhere = Carried { z: -self.nominal_radius, normal: 0.0, stiffness: 0.0, aside: 0.0 };
+        let mut input = self.put(given, held, &nowhere);
+        let clear = self.height_near_touch(&input);
+        if clear.is_finite() { self.guess(clear, &mut input, output) } else { None }
     }
 
     /// The pose of `input` under its load, with what is known `about` how it is carried there.
@@ -216,12 +223,7 @@ impl Element {
 
     /// About how the load is carried by one rail, by contacts each by itself, found at a height
     /// below `clear` [m].
-    pub(super) fn guess(
-        &mut self,
-        clear: f64,
-        input: &mut Input,
-        output: &mut Output,
-    ) -> Option<Carried> {
+    fn guess(&mut self, clear: f64, input: &mut Input, output: &mut Output) -> Option<Carried> {
         let load = input.wheel_load;
         let depth = (load / STIFFNESS).powf(2.0 / 3.0);
         let mut step = depth.clamp(FIRST_STEP[0], FIRST_STEP[1]);

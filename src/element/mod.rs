@@ -33,7 +33,7 @@ mod work;
 pub(crate) mod work_pairs;
 mod worn_profiles;
 
-pub(crate) use balance::{Balance, Carried};
+pub(crate) use balance::{Balance, Carried, LONGEST, MOST_POSES};
 pub use contact_history::ContactHistory;
 pub(crate) use free_rolling::FreeRolling;
 pub use gradient::{Gradient, ParameterSlopes};

@@ -11,8 +11,9 @@
 //! each step shortened until the correction that follows it is the smaller one (natural
 //! monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is
 //! much smaller Broyden's correction of the derivatives serves for the next step; under a given
-//! load, which says how far the rails sink, by secants for the lateral deflection alone, bracketed or
-//! beside where it is expected.
+//! load, which says how far the rails sink, the lateral deflection is found in the
+//! [`balance`](super::balance) of the load or, where that does not lead to the first one on the way
+//! out for sure, by bracketed secants.
 //! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
 //! fallback.
 
@@ -190,10 +191,7 @@ impl Element {
         output: &mut Output,
     ) -> Option<(f64, f64)> {
         let held = self.held_under_load(given).filter(|_| given.wheel_load > 0.0)?;
-        *input = given.with_rails_moved([0.0, self.sunk_under_load(given)], [0.0; 2]);
-        input.wheel.position[2] = -self.nominal_radius;
-        let clear = self.height_near_touch(input);
-        let about = clear.is_finite().then(|| self.guess(clear, input, output))??;
+        let about = self.guess_held(&held, given, output)?;
         let way = Way { about, pose: Pose::New, to: To::OneBefore };
         let found = self.balanced(held, way, given, input, output)?;
         let is_sure = (1.0 - found.at_once).abs() < MOST_GROWTH && found.left_out == 0;

@@ -34,7 +34,7 @@ pub struct Element {
     pub(super) rested: Option<(Input, [f64; 2], f64)>,
     /// About how the load of the next evaluation will be carried, if that is known.
     pub(super) expected: Option<Carried>,
-    /// How that of the last one was carried, if strips told.
+    /// How that of the last one was carried, if its balance led there.
     pub(super) carried: Option<Carried>,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,

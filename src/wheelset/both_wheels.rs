@@ -19,7 +19,8 @@ pub struct BothWheels {
 
 impl BothWheels {
     /// From a first pose of both at the wheelset of `input`, whose `markers` are so far to the
-    /// right, and where the places of contact go up with the roll by `slopes` [m].
+    /// right, and whose wheels may go down with the roll by `slopes`, as their places of contact turn
+    /// about the markers [m].
     pub fn at(input: &Input, markers: [f64; 2], slopes: [f64; 2], posed: &[PosedWheel; 2]) -> Self {
         let balances = posed.each_ref().map(PosedWheel::balance);
         let between = markers[RIGHT] - markers[LEFT];

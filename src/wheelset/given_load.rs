@@ -13,7 +13,7 @@
 
 use super::both_wheels::BothWheels;
 use super::{Input, LEFT, Output, RIGHT, SIDES, TrackTurn, Wheelset, on_side};
-use crate::element::{Carried, Element, PosedWheel};
+use crate::element::{Carried, Element, LONGEST, MOST_POSES, PosedWheel};
 use crate::error::ContactError;
 use crate::math::root::outward;
 use crate::normal::Pose;
@@ -24,12 +24,8 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
-/// Most poses of both wheels that are tried.
-const MOST_TRIALS: usize = 12;
-/// Longest step over the depth of a load.
-const LONGEST: f64 = 0.5;
 /// What may be left of the balances at the last pose but one, over loads and their depths: the step
-/// from it leaves less than a hundredth of that, 1e-15 m.
+/// from it leaves less than a hundredth of that, 1e-15 m, the last digits of heights and roll.
 const NEARLY: f64 = 1e-9;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
@@ -112,7 +108,7 @@ impl Wheelset {
         let Some(guessed) = self.guess_loads(&mut at, trial)? else { return Ok(None) };
         let Guessed { mut about, slopes } = guessed;
         let (mut both, mut pose) = (None::<BothWheels>, Pose::New);
-        for _ in 0..MOST_TRIALS {
+        for _ in 0..MOST_POSES {
             let Some(posed) = self.pose_both(&at, &mut about, pose, trial)? else {
                 return Ok(None);
             };
