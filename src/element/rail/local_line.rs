@@ -58,12 +58,10 @@ impl<'a> LocalLine<'a> {
         }
     }
 
-    /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along
-    /// it; the place `x` of the contact line on others.
-    fn met(&self, s: f64, x: f64) -> [f64; 2] {
-        let Some(varying) = self.rail.variation() else { return [x, 1.0] };
-        let Along { ahead, lean, .. } = varying.along(s);
-        [x + ahead, 1.0 / lean.hypotenuse(1.0)]
+    /// Place along the track at parameter `s` of a rail that varies along it; the place `x` of the
+    /// contact line on others [m].
+    fn met(&self, s: f64, x: f64) -> f64 {
+        self.rail.variation().map_or(x, |varying| x + varying.along(s).ahead)
     }
 
     /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
@@ -144,14 +142,13 @@ impl LocalLine<'_> {
         let dy = (nearest.ratio * along(tangent)).max(MIN_RATE);
         self.near = [u, nearest.s, dy];
         let away = [tangent[1], -tangent[0]];
-        let [x, cosine] = self.met(nearest.s, at.x);
         LinePlace {
             u,
             y: nearest.s,
             dy,
-            overlap: -cosine * nearest.distance,
-            overlap_slope: -cosine * along(away),
-            x,
+            overlap: -nearest.distance,
+            overlap_slope: -along(away),
+            x: self.met(nearest.s, at.x),
             tangent,
         }
     }

@@ -54,19 +54,8 @@ impl<T: Real> MovingLocal<'_, T> {
         let down = |v: [T; 2]| v[1] * tangent[0] - v[0] * tangent[1];
         let (overlap, overlap_slope) = (down(to(on.point)), down(derivative));
         let dy = (dot(derivative, on.first) / bending).at_least(MIN_RATE);
-        let along = self.rail.along(y);
-        let (ahead, cosine) = along.map_or((T::from(0.0), T::from(1.0)), |along| {
-            (along.ahead, T::from(1.0) / along.lean.hypotenuse(1.0.into()))
-        });
-        LinePlace {
-            u,
-            y,
-            dy,
-            overlap: cosine * overlap,
-            overlap_slope: cosine * overlap_slope,
-            x: at.x + ahead,
-            tangent,
-        }
+        let x = self.rail.along(y).map_or(at.x, |along| at.x + along.ahead);
+        LinePlace { u, y, dy, overlap, overlap_slope, x, tangent }
     }
 
     /// What the end of a rail that varies leaves of the strip at a `place`.

@@ -74,30 +74,51 @@ impl<T: Real> Course<T> {
         [0, 1, 2].map(|c| along[c] * (x + self.ahead) + right[c] * y + down[c] * z)
     }
 
-    /// The point of a row, of which `p` is that at `x` from the wheel marker along the track, with
-    /// its derivatives in these axes.
-    pub(in crate::geometry) fn row_point(&self, x: T, p: &RowPoint<T>) -> RowPoint<T> {
+    /// A vector in these axes in the frame of the rail.
+    pub(in crate::geometry) fn direction_on_rail(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let [along, right, down] = self.axes;
-        let (zero, one) = (T::from(0.0), T::from(1.0));
-        let by_x = [one, p.first[0], p.first[1]];
-        let bend = [zero, p.second[0], p.second[1]];
-        let across = [zero, p.value[2], p.value[3]];
-        let twist = [zero, p.first[2], p.first[3]];
-        let slowness = one / dot(along, by_x);
+        [0, 1, 2].map(|c| along[c] * x + right[c] * y + down[c] * z)
+    }
+
+    /// The parts to the right and down in these axes of a vector of the rail.
+    pub(in crate::geometry) fn across(&self, v: [T; 3]) -> [T; 2] {
+        let [_, right, down] = self.axes;
+        [dot(right, v), dot(down, v)]
+    }
+
+    /// How fast the row of which `p` is a point goes along these axes as it goes along the track,
+    /// the inverse of that [-], and how fast that changes by its place along them [1/m].
+    pub(in crate::geometry) fn rate(&self, p: &RowPoint<T>) -> [T; 3] {
+        let [along, ..] = self.axes;
+        let rate = along[0] + along[1] * p.first[0] + along[2] * p.first[1];
+        let slowness = T::from(1.0) / rate;
+        [rate, slowness, (along[1] * p.second[0] + along[2] * p.second[1]) * slowness]
+    }
+
+    /// First and second derivatives to the right and down of a row of which `p` is a point, by its
+    /// place along these axes, with what [`rate`](Self::rate) says of it.
+    pub(in crate::geometry) fn ways(
+        &self,
+        p: &RowPoint<T>,
+        [slowness, bent]: [T; 2],
+    ) -> [[T; 2]; 2] {
+        let [first, second] = [p.first, [p.second[0], p.second[1], p.second[0], p.second[1]]];
+        let along = self.across([T::from(1.0), first[0], first[1]]);
+        let bend = self.across([T::from(0.0), second[0], second[1]]);
+        let squared = slowness * slowness;
+        [along.map(|v| v * slowness), [0, 1].map(|c| (bend[c] - along[c] * bent) * squared)]
+    }
+
+    /// Direction straight across these axes from row to row, at the point `p` of one.
+    pub(in crate::geometry) fn straight_across(&self, p: &RowPoint<T>) -> [T; 2] {
+        let [along, ..] = self.axes;
+        let [_, slowness, _] = self.rate(p);
+        let [zero, one] = [0.0, 1.0].map(T::from);
         // By how much the place along the track falls back so that one across goes straight.
-        let back = dot(along, across) * slowness;
-        let bent = dot(along, bend) * slowness;
-        let back_by_x = dot(along, twist) * slowness - back * bent;
-        let straight = [0, 1, 2].map(|c| across[c] - by_x[c] * back);
-        let way = by_x.map(|v| v * slowness);
-        let turn = [0, 1, 2].map(|c| (bend[c] - by_x[c] * bent) * slowness * slowness);
-        let twisted =
-            [0, 1, 2].map(|c| (twist[c] - bend[c] * back - by_x[c] * back_by_x) * slowness);
-        let place = [x, p.value[0], p.value[1]];
-        let seen = |v: [T; 3]| [dot(right, v), dot(down, v)];
-        let ([y, z], [dy, dz]) = (seen(place), seen(straight));
-        let ([fy, fz], [ty, tz]) = (seen(way), seen(twisted));
-        RowPoint { value: [y, z, dy, dz], first: [fy, fz, ty, tz], second: seen(turn) }
+        let back = (along[1] * p.value[2] + along[2] * p.value[3]) * slowness;
+        let across = self.across([zero, p.value[2], p.value[3]]);
+        let way = self.across([one, p.first[0], p.first[1]]);
+        [0, 1].map(|c| across[c] - way[c] * back)
     }
 }
 

@@ -30,12 +30,12 @@
 //! surface, so that the wheel meets its crests.
 
 mod bounds;
-mod deviation;
 mod few;
 mod mean_course;
 mod meeting;
 mod moving_outline;
 mod over;
+mod spot;
 mod touch;
 mod trend;
 mod waves;
@@ -63,7 +63,6 @@ use crate::geometry::sections::slices::Slices;
 use crate::geometry::uneven::waviness::Waviness;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
-use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
@@ -246,17 +245,9 @@ impl VaryingRail {
         let Self { surface, bounds, wheel, meeting, .. } = self;
         let touch = Touch { surface, bounds, wheel };
         let within = surface.within(station.value());
-        let fixed_line = line.value().fixed::<Dual<2>>();
-        let fixed_pose = WheelPose {
-            marker: pose.marker.map(|x| Dual::from(x.value())),
-            roll: pose.roll.value().into(),
-            yaw: pose.yaw.value().into(),
-        };
-        let fixed = Over::new(&fixed_line, &fixed_pose, station.value().into(), within);
-        let fixed = fixed.along(self.course().map(Course::fixed));
         let over = Over::new(line, pose, station, within).along(outline.course);
         outline.met.clear();
-        outline.met.extend(meeting.met().iter().map(|found| touch.moving(&over, &fixed, found)));
+        outline.met.extend(meeting.met().iter().map(|found| touch.moving(&over, found)));
         outline.envelope.lay(surface, &outline.met);
         outline.station = station;
     }
@@ -265,8 +256,7 @@ impl VaryingRail {
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
         let Self { surface, bounds, few, wheel, lows, meeting, waves, level, .. } = self;
         let within = surface.within(self.station);
-        let turn = [self.pitch, pose.yaw];
-        let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, turn));
+        let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, self.pitch));
         let course = level.map(|(_, course)| course);
         let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
         let touch = Touch { surface, bounds, wheel };

@@ -96,9 +96,13 @@ pub struct LinePoint<T = f64> {
 /// A point of the contact line of a round wheel with its derivatives by the parameter.
 pub(in crate::geometry) struct Followed<T> {
     pub at: LinePoint<T>,
-    /// Derivatives of (y, z), and of x.
+    /// Derivative of (y, z).
     pub derivative: [T; 2],
-    pub advance: T,
+    /// (y, z) of the radial direction, and the derivative of that [1/m].
+    pub radial: [T; 2],
+    pub turning: [T; 2],
+    /// Cosine of the profile's slope.
+    pub cosine: T,
     /// Curvature of the profile, positive where it bulges [1/m].
     pub curvature: T,
     /// Curvature of the section along the track, but for what the profile is curved across a wheel
@@ -179,20 +183,31 @@ impl<'a, T: Real> ContactLine<'a, T> {
             return Followed {
                 at: self.met(s, rim.point()),
                 derivative: rim.derivative(),
-                advance: rim.advance(),
+                radial: on.radial,
+                turning: [T::from(0.0); 2],
+                cosine: slope_cosine(&p),
                 curvature,
                 section: T::from(0.0),
             };
         }
         let (point, derivative) = self.outline_with_derivative(&p);
         let across = on.slope * self.axle[0];
+        let turning = self.turning(&p, &on);
         Followed {
             at: self.met(s, point),
             derivative,
-            advance: self.advance_at(&p, &on),
+            radial: on.radial,
+            turning: [0, 1].map(|i| turning * (self.ahead[i] - self.down[i] * on.sine / on.cosine)),
+            cosine: slope_cosine(&p),
             curvature,
             section: (self.cosine * self.cosine - across * across) / (on.radius * on.cosine),
         }
+    }
+
+    /// Directions along the axle, forward and down.
+    pub(in crate::geometry) fn axes(&self) -> [[T; 3]; 3] {
+        let zero = T::from(0.0);
+        [self.axle, [self.cosine, self.ahead[0], self.ahead[1]], [zero, self.down[0], self.down[1]]]
     }
 
     /// The profile of the wheel.
@@ -408,6 +423,11 @@ impl<'a> ContactLine<'a> {
         let even = 2.0 * self.nominal_radius * self.lead * self.lead / least_cosine;
         even + self.deviations.map_or(0.0, |d| self.lift_stretch(d))
     }
+}
+
+/// Cosine of the slope of a profile.
+fn slope_cosine<T: Real>(p: &CurvePoint<T>) -> T {
+    p.first[0] / speed_squared(p.first).sqrt()
 }
 
 /// Square of the length of a profile's derivative, which is close to one.

@@ -135,13 +135,10 @@ impl Section<'_> {
     fn met(&self, row: Row, along: &Along) -> Option<Row> {
         let x = row.x + along.ahead;
         let even = self.line.surface_along(x, row.point, row.normal(), [row.u, row.overlap])?;
-        let course = Course {
-            lift: row.overlap - even.depth,
-            lean: along.lean,
-            drift: along.drift,
-            curvature: along.curvature,
-        };
-        Some(Row { x, overlap: course.cosine() * row.overlap, course, ..row })
+        let Along { lean, drift, curvature, .. } = *along;
+        let course = Course { lift: 0.0, lean, drift, curvature };
+        let lift = row.overlap / course.cosine() - even.depth;
+        Some(Row { x, course: Course { lift, ..course }, ..row })
     }
 
     /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as

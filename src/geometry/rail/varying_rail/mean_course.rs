@@ -14,12 +14,13 @@
 //! smooth function of the pose.
 
 use super::over::Over;
+use super::spot::parameter_at;
 use super::touch::CLOSE;
 use super::wheel_table::WheelTable;
 use crate::geometry::curves::curve::Curve;
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::plane::dot;
-use crate::geometry::sections::rows::surface::{REACH, RowPoint, Surface};
+use crate::geometry::sections::rows::surface::{REACH, Surface};
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
@@ -52,12 +53,12 @@ struct RowCourse<T> {
     met: Beside<T>,
 }
 
-/// Where a row is met: along the track, to the right of the marker [m], and the parameter of the
-/// wheel opposite.
+/// Where a row is met: along the track and along the axle [m], and the parameter of the wheel
+/// opposite.
 #[derive(Clone, Copy)]
 struct Beside<T> {
     x: T,
-    across: f64,
+    axial: f64,
     u: f64,
 }
 
@@ -107,15 +108,8 @@ impl Courses {
         }
         let within = surface.within(station.value());
         let over = Over::new(line, pose, station, within);
-        let fixed_line = line.value();
-        let fixed_pose = WheelPose {
-            marker: pose.marker.map(T::value),
-            roll: pose.roll.value(),
-            yaw: pose.yaw.value(),
-        };
-        let fixed = Over::new(&fixed_line, &fixed_pose, station.value(), within);
         // The row that may be nearest tells which ones need not be looked at.
-        let course_of = |j: usize, beside| own(surface, &self.wheel, &fixed, &over, (j, beside));
+        let course_of = |j: usize, beside| own(surface, &self.wheel, &over, (j, beside));
         let rows = rows.iter().copied().zip(lows);
         let (first, _) = rows.clone().min_by(|a, b| a.1.total_cmp(b.1))?;
         let near = course_of(first, None).map_or(f64::INFINITY, |row| row.gap.value());
@@ -175,20 +169,19 @@ impl<T: Real> Sums<T> {
     }
 }
 
-/// Row `j` where the wheel `over` it would meet it along the track, by its `table`, the same wheel
-/// at rest, `fixed`, and where the row `beside` is met; nothing where the row is not there or the
-/// wheel stands upright.
+/// Row `j` where the contact line of the wheel `over` it would meet it along the track, by its
+/// `table` and where the row `beside` is met; nothing where the row is not there or the wheel stands
+/// upright.
 fn own<T: Real>(
     surface: &Surface,
     table: &WheelTable,
-    fixed: &Over,
     over: &Over<T>,
     (j, beside): (usize, Option<Beside<T>>),
 ) -> Option<RowCourse<T>> {
-    let slice = over.within.slice;
-    let run = surface.run(j, fixed.station, slice)?;
-    let [from, to] = surface.reach(run, over.station)?;
-    let at = |x: T| surface.at_without_waves(j, run, over.station + x, slice);
+    let (slice, station) = (over.within.slice, over.station);
+    let run = surface.run(j, station.value(), slice)?;
+    let [from, to] = surface.reach(run, station)?;
+    let at = |x: T| surface.point_at(j, run, station + x, slice);
     let clamped = |x: T| {
         if x < from {
             from
@@ -198,30 +191,46 @@ fn own<T: Real>(
             x
         }
     };
-    let across = |p: &RowPoint<T>| over.across_and_down([p.value[0], p.value[1]]);
     // Opposite to the row where that beside it is met; where it would be met; opposite to it there.
     let mut x = clamped(beside.map_or(T::from(0.0), |b| b.x));
-    let mut p = at(x);
-    let [y, _] = across(&p);
-    let near = beside.filter(|b| (b.across - y.value()).abs() < CLOSE);
-    let u = match near {
-        Some(near) => near.u + y.value() - near.across,
-        None => table.parameter(y.value())?,
+    let mut about = about_axle(over, x, at(x));
+    let [axial, _] = about.map(T::value);
+    let near = beside.filter(|b| (b.axial - axial).abs() < CLOSE);
+    let mut u = match near {
+        Some(near) => near.u + axial - near.axial,
+        None => table.parameter(axial)?,
     };
-    let mut wheel = over.opposite_to(fixed, u, y)?;
+    let mut wheel = opposite(over, about[0], u)?;
     for _ in 0..STEPS {
-        x = clamped(wheel.x);
-        p = at(x);
-        wheel = over.opposite_to(fixed, wheel.u.value(), across(&p)[0])?;
+        u = wheel[0].value();
+        x = clamped(over.line().even_at(wheel[0]).x);
+        about = about_axle(over, x, at(x));
+        wheel = opposite(over, about[0], u)?;
     }
-    let [y, z] = across(&p);
     let [a, b] = [x - CHORD, x + CHORD].map(clamped);
     let length = b - a;
     if length.value() <= 0.0 {
         return None;
     }
-    let [p, q] = [a, b].map(|x| at(x).value);
+    let [p, q] = [a, b].map(at);
     let rates = [0, 1].map(|c| (q[c] - p[c]) / length);
-    let met = Beside { x, across: y.value(), u: wheel.u.value() };
-    Some(RowCourse { gap: z - wheel.radius, rates, met })
+    let met = Beside { x, axial: about[0].value(), u: wheel[0].value() };
+    Some(RowCourse { gap: about[1] - wheel[1], rates, met })
+}
+
+/// Coordinate along the axle of the wheel `over` a point across the track at `x`, and its distance
+/// from that [m].
+fn about_axle<T: Real>(over: &Over<T>, x: T, [y, z]: [T; 2]) -> [T; 2] {
+    let to = [x - over.centre[0], y - over.centre[1], z - over.centre[2]];
+    let [axial, forward, down] = over.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2]);
+    [axial, (forward * forward + down * down).sqrt()]
+}
+
+/// Parameter of the wheel, and its radius, at a coordinate along the axle, sought near the parameter
+/// `u` [m]; nothing where it stands upright.
+fn opposite<T: Real>(over: &Over<T>, axial: T, u: f64) -> Option<[T; 2]> {
+    let found = parameter_at(over.line(), axial.value(), u)?;
+    let p = over.line().profile().at(T::from(found));
+    let step = (axial - p.point[0]) / p.first[0];
+    Some([step + found, p.point[1] + step * p.first[1] + over.nominal_radius()])
 }

@@ -16,16 +16,16 @@ const FAR_BELOW: f64 = 0.02;
 pub(super) struct Meeting {
     /// How far the few rows surely are below the wheel [m].
     lows: FixedVec<f64>,
-    /// The few rows about where they are met.
-    about: FixedVec<Met>,
+    /// The few rows where they are met.
+    wide: FixedVec<Met>,
     met: FixedVec<Met>,
 }
 
 impl Meeting {
     /// Room for `count` rows.
     pub fn new(count: usize) -> Self {
-        let about = FixedVec::new(count);
-        Self { lows: FixedVec::new(count), met: about.clone(), about }
+        let wide = FixedVec::new(count);
+        Self { lows: FixedVec::new(count), met: wide.clone(), wide }
     }
 
     /// All rows that were met last, in their order, and a few of the others.
@@ -38,28 +38,23 @@ impl Meeting {
     pub fn meet(&mut self, touch: &Touch, few: &Few, over: &Over, lows: impl Iterator<Item = f64>) {
         self.lows.clear();
         self.lows.extend(lows);
-        self.ask_few(touch, few, over);
-        let Self { about, met, .. } = self;
+        self.meet_few(touch, few, over);
+        let Self { wide, met, .. } = self;
         met.clear();
         let rows = &touch.surface.rows;
-        let opposite = about.iter().filter(|met| met.opposite.is_some());
+        let opposite = wide.iter().filter(|met| met.opposite.is_some());
         let least = opposite.map(|met| met.gap.height).reduce(f64::min).unwrap_or(0.0).max(0.0);
         let is_wavy = touch.surface.is_corrugated() || over.has_hollow_waves();
         let mut trend = Trend::default();
-        for (k, here) in about.iter().enumerate() {
-            let next = about.get(k + 1);
-            let behind = k > 0 && few.is_near(rows, [&about[k - 1], here], least);
-            let ahead = next.filter(|next| few.is_near(rows, [here, next], least));
-            if !behind && ahead.is_none() {
-                met.push(*here);
-                trend = Trend::default();
-                continue;
-            }
-            let end = ahead.map_or(here.row + 1, |next| next.row);
-            for j in here.row..end {
-                let looks_through = is_wavy || j == here.row;
+        for (k, here) in wide.iter().enumerate() {
+            met.push(*here);
+            trend.follow(here);
+            let next = wide.get(k + 1);
+            let next = next.filter(|next| few.is_near(rows, [here, next], least));
+            let Some(next) = next else { continue };
+            for j in here.row + 1..next.row {
                 let start = trend.start(&rows.parameter, j, here);
-                if let Some(found) = touch.meet(over, j, start, looks_through) {
+                if let Some(found) = touch.meet(over, j, start, is_wavy) {
                     met.push(found);
                     trend.follow(&found);
                 }
@@ -67,30 +62,28 @@ impl Meeting {
         }
     }
 
-    /// Asks the `few` rows about where they are met, but for those that are farther below the wheel
-    /// than the one that may be nearest.
-    fn ask_few(&mut self, touch: &Touch, few: &Few, over: &Over) {
-        let Self { lows, about, .. } = self;
+    /// Meets the `few` rows but for those that are farther below the wheel than the one that may be
+    /// nearest.
+    fn meet_few(&mut self, touch: &Touch, few: &Few, over: &Over) {
+        let Self { lows, wide, .. } = self;
         let rows = few.rows.iter().copied().zip(lows.iter().copied());
         let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
-        let nearest = first.and_then(|(j, _)| touch.about(over, j, None));
+        let nearest = first.and_then(|(j, _)| touch.meet(over, j, Start::default(), true));
         let nearest = nearest.filter(|met| met.opposite.is_some());
         let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
-        about.clear();
+        wide.clear();
         let mut trend = Trend::default();
         for (j, low) in rows {
             let found = if low > far {
                 touch.aside(over, j)
-            } else if touch.is_hollow(over, j) {
-                touch.meet(over, j, Start::of(trend.beside()), true)
             } else {
-                touch.about(over, j, trend.beside())
+                touch.meet(over, j, Start::of(trend.beside()), true)
             };
             let Some(mut found) = found else { continue };
             if found.opposite.is_none() {
                 found.gap.height = low;
             }
-            about.push(found);
+            wide.push(found);
             trend.follow(&found);
         }
     }

@@ -32,8 +32,8 @@ impl Trend {
         if ahead > CLOSE {
             return Start::of(Some(last));
         }
-        // Place, and parameter of the wheel over the place across.
-        let of = |m: &Met| m.opposite.map(|[u, y]| [m.place, u, y]);
+        // Place, and parameter of the wheel along the axle.
+        let of = |m: &Met| m.opposite.map(|[u, axial]| [m.place, u, axial]);
         let goes_on = |m: &Met, to: &Met| away(m, to) < CLOSE && (to.place - m.place).abs() < TREND;
         let before = before.as_ref().filter(|m| goes_on(m, last));
         let (Some(a), Some(b)) = (of(last), before.and_then(of)) else {
@@ -47,7 +47,8 @@ impl Trend {
             Some([0, 1, 2].map(|k| (slope[k] - (b[k] - c[k]) / far) / (near + far)))
         });
         let bend = bend.unwrap_or_default();
-        let [place, u, y] = [0, 1, 2].map(|k| a[k] + ahead * (slope[k] + (ahead + near) * bend[k]));
-        Start { place, opposite: Some([u, y]), goes_on: true }
+        let [place, u, axial] =
+            [0, 1, 2].map(|k| a[k] + ahead * (slope[k] + (ahead + near) * bend[k]));
+        Start { place, opposite: Some([u, axial]) }
     }
 }

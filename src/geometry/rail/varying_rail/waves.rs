@@ -11,8 +11,6 @@ pub(super) struct Waves<'a> {
     pub surface: &'a Waviness,
     /// Place of the nominal rolling circle straight below the axle [m].
     pub below: f64,
-    /// Parts of forward in the plane of the rolling circles along the track and to the right [-].
-    pub forward: [f64; 2],
     /// Whether the wheel may be hollow within reach.
     is_hollow: bool,
 }
@@ -26,10 +24,9 @@ const SHORTEST: f64 = 2.5e-4;
 const FARTHEST: f64 = 1.2 * REACH;
 
 impl<'a> Waves<'a> {
-    /// Those of the `surface` of a wheel turned by `pitch` and `yaw` [rad] with the radius
-    /// `nominal_radius` [m].
-    pub fn new(surface: &'a Waviness, nominal_radius: f64, [pitch, yaw]: [f64; 2]) -> Self {
-        let (sine, cosine) = yaw.sin_cos();
+    /// Those of the `surface` of a wheel turned by `pitch` [rad] with the radius `nominal_radius`
+    /// [m].
+    pub fn new(surface: &'a Waviness, nominal_radius: f64, pitch: f64) -> Self {
         let below = -pitch * nominal_radius;
         let spacing = surface.bounds().spacing.clamp(SHORTEST, REACH);
         let count = (FARTHEST / spacing).ceil();
@@ -37,7 +34,7 @@ impl<'a> Waves<'a> {
         let most = HOLLOW_SHARE / nominal_radius;
         let is_hollow = surface.bounds().curvature > most
             && samples.map(|place| surface.at(place)[2]).any(|curvature| curvature > most);
-        Self { surface, below, forward: [cosine, sine], is_hollow }
+        Self { surface, below, is_hollow }
     }
 
     /// Whether the wheel may be hollow within reach.

@@ -45,7 +45,6 @@ impl<T: Real> Envelope<T> {
         for m in met {
             self.add(surface, m);
         }
-        self.turn_along(surface);
         self.knots.len() >= 2
     }
 
@@ -97,25 +96,6 @@ impl<T: Real> Envelope<T> {
         kept.push(*m);
         let tangent = m.direction.map(|d| d * speed / size);
         knots.push(Knot { s: parameter, point: m.point, tangent });
-    }
-
-    /// The envelope goes on to the next row, and along the track with it.
-    fn turn_along(&mut self, surface: &Surface) {
-        let Self { kept, knots, .. } = self;
-        let parameter = &surface.rows.parameter;
-        for k in 1..knots.len().saturating_sub(1) {
-            let apart = parameter[kept[k + 1].row] - parameter[kept[k - 1].row];
-            let moved = kept[k + 1].x - kept[k - 1].x;
-            // Rows that are met in different places are not neighbours on the envelope.
-            let rate = if moved.abs() < TREND { moved / apart } else { T::from(0.0) };
-            let [a, b] = [kept[k].direction, kept[k].first];
-            let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
-            if dot(direction, a) > 0.0 {
-                let tangent = knots[k].tangent;
-                let stretch = (dot(tangent, tangent) / dot(direction, direction)).sqrt();
-                knots[k].tangent = direction.map(|d| d * stretch);
-            }
-        }
     }
 
     /// Slopes at knot `k` by the neighbours, weighted by their distance.

@@ -25,15 +25,14 @@ impl Gap {
 pub(in crate::geometry) struct Met<T = f64> {
     pub row: usize,
     pub point: [T; 2],
-    /// F_v and F_x.
+    /// How the outline goes on to the next row.
     pub direction: [T; 2],
-    pub first: [T; 2],
     /// Where it is along the track, and along the axes of the outline, from the wheel marker [m].
     pub place: T,
     pub x: T,
     pub gap: Gap,
     pub along: Along<T>,
-    /// Parameter of the wheel opposite and coordinate to the right there; nothing where it is not
-    /// looked for.
+    /// Parameter of the wheel opposite and coordinate along the axle there; nothing where it is not
+    /// looked for [m].
     pub opposite: Option<[T; 2]>,
 }

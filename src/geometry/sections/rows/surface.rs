@@ -4,7 +4,7 @@
 //! of what the slices say.
 
 use super::roller::{Around, Roller};
-use crate::geometry::sections::slices::Rows;
+use crate::geometry::sections::slices::{RowKnot, Rows};
 use crate::geometry::uneven::waviness::Waviness;
 use crate::math::real::Real;
 
@@ -104,33 +104,19 @@ impl Surface {
         station: T,
         near: usize,
     ) -> RowPoint<T> {
-        let (places, count) = (&self.rows.places, self.count());
-        let [first, last] = run;
+        let places = &self.rows.places;
         let zero = T::from(0.0);
-        let held = |i: usize| {
-            let knot = self.rows.knots[i * count + j];
-            RowPoint { value: knot.value.map(T::from), first: [zero; 4], second: [zero; 2] }
+        let (i, ends) = match self.between_slices(j, run, station.value(), near) {
+            Ok(found) => found,
+            Err(held) => {
+                let value = held.value.map(T::from);
+                return RowPoint { value, first: [zero; 4], second: [zero; 2] };
+            }
         };
-        let place = station.value();
-        // What ends within the rail has its slope up to there, and is met no farther.
-        if place <= places[first] && first == 0 {
-            return held(first);
-        }
-        if place >= places[last] && last + 1 == places.len() || first == last {
-            return held(last);
-        }
-        let mut i = near.clamp(first, last - 1);
-        while i > first && places[i] > place {
-            i -= 1;
-        }
-        while i + 1 < last && places[i + 1] <= place {
-            i += 1;
-        }
-        let (from, to) = (&self.rows.knots[i * count + j], &self.rows.knots[(i + 1) * count + j]);
-        let h = places[i + 1] - places[i];
+        let [from, to] = ends;
+        let inverse = 1.0 / (places[i + 1] - places[i]);
         let u = station - places[i];
         let mut point = RowPoint { value: [zero; 4], first: [zero; 4], second: [zero; 2] };
-        let inverse = 1.0 / h;
         for c in 0..4 {
             let rise = (to.value[c] - from.value[c]) * inverse;
             let (a, b) = (from.slope[c], to.slope[c]);
@@ -143,6 +129,51 @@ impl Surface {
             }
         }
         point
+    }
+
+    /// The slice behind which row `j` is at `place` [m] on a `run` of slices, looked for from the
+    /// slice `near`, and the row on that and the next one; where it is held, the row there.
+    fn between_slices(
+        &self,
+        j: usize,
+        [first, last]: [usize; 2],
+        place: f64,
+        near: usize,
+    ) -> Result<(usize, [&RowKnot; 2]), &RowKnot> {
+        let (places, count) = (&self.rows.places, self.count());
+        let knot = |i: usize| &self.rows.knots[i * count + j];
+        // What ends within the rail has its slope up to there, and is met no farther.
+        if place <= places[first] && first == 0 {
+            return Err(knot(first));
+        }
+        if place >= places[last] && last + 1 == places.len() || first == last {
+            return Err(knot(last));
+        }
+        let mut i = near.clamp(first, last - 1);
+        while i > first && places[i] > place {
+            i -= 1;
+        }
+        while i + 1 < last && places[i + 1] <= place {
+            i += 1;
+        }
+        Ok((i, [knot(i), knot(i + 1)]))
+    }
+
+    /// The point (y, z) of row `j`, as [`at_without_waves`](Self::at_without_waves).
+    pub fn point_at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> [T; 2] {
+        let (i, [from, to]) = match self.between_slices(j, run, station.value(), near) {
+            Ok(found) => found,
+            Err(held) => return [held.value[0].into(), held.value[1].into()],
+        };
+        let places = &self.rows.places;
+        let inverse = 1.0 / (places[i + 1] - places[i]);
+        let u = station - places[i];
+        [0, 1].map(|c| {
+            let rise = (to.value[c] - from.value[c]) * inverse;
+            let (a, b) = (from.slope[c], to.slope[c]);
+            let c2 = (3.0 * rise - 2.0 * a - b) * inverse;
+            u * (u * (u * ((a + b - 2.0 * rise) * inverse * inverse) + c2) + a) + from.value[c]
+        })
     }
 
     /// Row `j` at `x` from the axle of a `roller` [m].

@@ -71,6 +71,20 @@ impl<'a> ContactLine<'a> {
         Some(SurfacePoint { normal, ..met })
     }
 
+    /// The surface of a wheel whose section varies around, along the radius from a place given by its
+    /// parts along the axle, forward and down from the marker, sought near the parameter of the line
+    /// and the depth of `guess` [m]; its normal has such parts. Nothing where it is not there.
+    #[must_use]
+    pub(in crate::geometry) fn along_radius(
+        &self,
+        from: [f64; 3],
+        guess: [f64; 2],
+    ) -> Option<SurfacePoint> {
+        let [_, forward, down] = from;
+        let size = forward.hypot(down);
+        self.around?.surface_along(from, [0.0, forward / size, down / size], guess)
+    }
+
     /// What the wheel is more curved along the track than the round one in its place, over the
     /// distance `reach` to either side of a place along the track, `own` and that `of_round`, at
     /// which both lean alike: by their distances from the point `from` of the rail (y, z) and those
@@ -130,11 +144,6 @@ impl<'a> ContactLine<'a> {
     #[must_use]
     pub fn reach_around(&self) -> f64 {
         self.around.map_or(0.0, |around| around.reach(0.0))
-    }
-
-    /// Directions along the axle, forward and down.
-    fn axes(&self) -> [[f64; 3]; 3] {
-        [self.axle, [self.cosine, self.ahead[0], self.ahead[1]], [0.0, self.down[0], self.down[1]]]
     }
 
     /// The parts of a vector along the axle, forward and down.
