@@ -1,27 +1,13 @@
 //! A rail whose section varies along the track, as the wheel above it meets it: the outline of all
 //! its sections.
 //!
-//! The section at x from the axle is met by a part of the wheel that stands higher than its lowest
-//! points, by
-//!
-//! ```text
-//! D(x) = sqrt((x - x_l)² + z²) - z
-//! ```
-//!
-//! for a point of the rail at the height z below the axle, with x_l the place of the contact line,
-//! which is zero where the wheel does not yaw. Moved down by that, every section can be compared
-//! with the even contact line. What the wheel can touch is the envelope of all sections that are
-//! moved so: on each row v of the surface P the x at which
-//!
-//! ```text
-//! n · F_x = 0,   F(x, v) = P + D e
-//! ```
-//!
-//! with e the direction down in the plane of the rolling circles and n the normal of the wheel
-//! opposite. Along the row the bodies are nearest there, and where they touch their normals have
-//! the same part along x, so that the place is the one of a search in three dimensions. Where the
-//! surface is the same all along the track it is x_l, and the envelope is the section. Strips of
-//! the contact lie along the rows: a rail whose edge runs off sideways turns its patch with it.
+//! Each row is met where it is nearest to the wheel, at the place along the track at which the gap
+//! between both, along the radius of the wheel, is least: see [`spot`]. That is the place of a search
+//! in three dimensions. Seen along the rows, what the wheel can touch is the outline of the points at
+//! which the rows are met, each as far from the contact line of the wheel as the row is from the
+//! wheel in space. Where the surface is the same all along the track the outline is the section.
+//! Strips of the contact lie along the rows: a rail whose edge runs off sideways turns its patch with
+//! it.
 //!
 //! All of it is seen in axes along the mean course of the rows near the wheel, so that sections that
 //! drift or rise evenly are an even rail: see [`mean_course`].
@@ -29,6 +15,7 @@
 //! A roller is such a rail: its rows go around an axle across the track. Corrugation is part of the
 //! surface, so that the wheel meets its crests.
 
+mod about_axle;
 mod bounds;
 mod few;
 mod mean_course;

@@ -13,8 +13,8 @@
 //! the rail, and rows that come within reach do so far below the wheel, so that the mean is a
 //! smooth function of the pose.
 
+use super::about_axle::parameter_at;
 use super::over::Over;
-use super::spot::parameter_at;
 use super::touch::CLOSE;
 use super::wheel_table::WheelTable;
 use crate::geometry::curves::curve::Curve;
@@ -34,8 +34,6 @@ const FARTHEST: f64 = 16.0;
 /// How far the rows may go apart, by their standard deviation, so that half of their course counts:
 /// rails that drift by as much are right in the axes of the track [-].
 const APART: f64 = 0.01;
-/// Steps to where a row is met.
-const STEPS: usize = 2;
 
 /// How the rows of a rail go.
 #[derive(Clone, Debug)]
@@ -192,21 +190,17 @@ fn own<T: Real>(
         }
     };
     // Opposite to the row where that beside it is met; where it would be met; opposite to it there.
-    let mut x = clamped(beside.map_or(T::from(0.0), |b| b.x));
-    let mut about = about_axle(over, x, at(x));
-    let [axial, _] = about.map(T::value);
-    let near = beside.filter(|b| (b.axial - axial).abs() < CLOSE);
-    let mut u = match near {
-        Some(near) => near.u + axial - near.axial,
-        None => table.parameter(axial)?,
+    let x = clamped(beside.map_or(T::from(0.0), |b| b.x));
+    let [axial, _] = about_axle(over, x, at(x));
+    let near = beside.filter(|b| (b.axial - axial.value()).abs() < CLOSE);
+    let u = match near {
+        Some(near) => near.u + axial.value() - near.axial,
+        None => table.parameter(axial.value())?,
     };
-    let mut wheel = opposite(over, about[0], u)?;
-    for _ in 0..STEPS {
-        u = wheel[0].value();
-        x = clamped(over.line().even_at(wheel[0]).x);
-        about = about_axle(over, x, at(x));
-        wheel = opposite(over, about[0], u)?;
-    }
+    let [s, _] = opposite(over, axial, u)?;
+    let x = clamped(over.line().even_at(s).x);
+    let [axial, distance] = about_axle(over, x, at(x));
+    let [s, radius] = opposite(over, axial, s.value())?;
     let [a, b] = [x - CHORD, x + CHORD].map(clamped);
     let length = b - a;
     if length.value() <= 0.0 {
@@ -214,8 +208,8 @@ fn own<T: Real>(
     }
     let [p, q] = [a, b].map(at);
     let rates = [0, 1].map(|c| (q[c] - p[c]) / length);
-    let met = Beside { x, axial: about[0].value(), u: wheel[0].value() };
-    Some(RowCourse { gap: about[1] - wheel[1], rates, met })
+    let met = Beside { x, axial: axial.value(), u: s.value() };
+    Some(RowCourse { gap: distance - radius, rates, met })
 }
 
 /// Coordinate along the axle of the wheel `over` a point across the track at `x`, and its distance

@@ -53,7 +53,7 @@ impl Meeting {
             let next = next.filter(|next| few.is_near(rows, [here, next], least));
             let Some(next) = next else { continue };
             for j in here.row + 1..next.row {
-                let start = trend.start(&rows.parameter, j, here);
+                let start = trend.start(&rows.parameter, j);
                 if let Some(found) = touch.meet(over, j, start, is_wavy) {
                     met.push(found);
                     trend.follow(&found);
@@ -72,12 +72,20 @@ impl Meeting {
         let nearest = nearest.filter(|met| met.opposite.is_some());
         let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
         wide.clear();
+        let is_near = |low: &f64| *low <= far;
+        // Beside the rows that may touch one more on either side is enough.
+        let (Some(from), Some(to)) =
+            (lows.iter().position(is_near), lows.iter().rposition(is_near))
+        else {
+            wide.extend(rows.filter_map(|(j, _)| touch.aside(over, j)));
+            return;
+        };
         let mut trend = Trend::default();
-        for (j, low) in rows {
+        for (j, low) in rows.skip(from.saturating_sub(1)).take(to + 2 - from.saturating_sub(1)) {
             let found = if low > far {
                 touch.aside(over, j)
             } else {
-                touch.meet(over, j, Start::of(trend.beside()), true)
+                touch.meet(over, j, trend.beside(), true)
             };
             let Some(mut found) = found else { continue };
             if found.opposite.is_none() {

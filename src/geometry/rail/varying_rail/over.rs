@@ -3,7 +3,6 @@
 use super::waves::Waves;
 use super::wheel_table::CELL;
 use crate::geometry::rail::course::Course;
-use crate::geometry::sections::rows::met::{Gap, Met};
 use crate::geometry::sections::rows::plane::dot;
 use crate::geometry::sections::rows::surface::{REACH, RowPoint, Surface, Within};
 use crate::geometry::wheel::contact_line::{ContactLine, Followed};
@@ -134,6 +133,11 @@ impl<'a, T: Real> Over<'a, T> {
         Some(ends.map(farther))
     }
 
+    /// The axes of the outline, where the rows drift or rise.
+    pub fn course(&self) -> Option<&Course<T>> {
+        self.course.as_ref()
+    }
+
     /// The contact line.
     pub fn line(&self) -> &'a ContactLine<'a, T> {
         self.line
@@ -197,37 +201,9 @@ impl<'a, T: Real> Over<'a, T> {
     pub fn seen_from_marker(&self, [y, z]: [T; 2]) -> [T; 2] {
         [y - self.marker[0], z - self.marker[1]]
     }
-
-    /// Row `j` at a `place` where nothing touches it, of which the `point` is that.
-    pub fn under_axle(&self, j: usize, place: T, point: &RowPoint<T>) -> Met<T> {
-        let [y, z, dy, dz] = point.value;
-        let (x, own, direction) = match &self.course {
-            None => (place, [y, z], [dy, dz]),
-            Some(course) => {
-                let [x, y, z] = course.place([place, y, z]);
-                (x, [y, z], course.straight_across(point))
-            }
-        };
-        let depth = dot(self.seen_from_marker(own), self.down);
-        let down = (x * x + depth * depth).sqrt() - depth;
-        Met {
-            row: j,
-            point: [0, 1].map(|i| own[i] + down * self.down[i]),
-            direction,
-            place,
-            x,
-            gap: Gap { height: f64::INFINITY, share: 1.0, growth: 0.0 },
-            ..Met::default()
-        }
-    }
 }
 
 impl Over<'_> {
-    /// Whether it is seen in axes along rows that drift or rise.
-    pub fn is_along_rows(&self) -> bool {
-        self.course.is_some()
-    }
-
     /// Whether the wheel may be hollow for a rail.
     pub fn is_hollow(&self) -> bool {
         self.varies_around() || self.has_hollow_waves()

@@ -28,23 +28,14 @@
 //!
 //! with e the direction down in the plane of the rolling circles.
 
-use super::over::Over;
-use crate::geometry::rail::varying_rail::over::Way;
+use super::about_axle::{OnProfile, Parts, Polar, Raised, parameter_at};
+use super::over::{Over, Way};
 use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::met::{Gap, Met};
 use crate::geometry::sections::rows::plane::dot;
 use crate::geometry::sections::rows::surface::{RowPoint, Surface};
-use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
 
-/// Newton steps to a point of the profile, the longest of them, and the one over which a parabola is
-/// as good as the profile [m].
-const MAX_STEPS: usize = 12;
-const LONGEST_STEP: f64 = 1e-3;
-const PARABOLA: f64 = 1e-6;
-/// Least share of its parameter by which the profile goes across: a flank that stands upright is
-/// not looked at.
-const MIN_RATE: f64 = 0.1;
 /// Least bend of a row against the wheel, over that of the wheel.
 pub(super) const MIN_BEND: f64 = 0.1;
 /// A row of a surface on a run of slices.
@@ -60,138 +51,6 @@ impl Row<'_> {
     pub fn at<T: Real>(&self, over: &Over<T>, place: T) -> RowPoint<T> {
         self.surface.at(self.number, self.run, over.station + place, over.within.slice)
     }
-}
-
-/// A vector by its parts along the axle, along the radius and around.
-#[derive(Clone, Copy)]
-struct Parts<T> {
-    axial: T,
-    radial: T,
-    around: T,
-}
-
-/// A place of a row about the axle.
-#[derive(Clone, Copy)]
-struct Polar<T> {
-    axial: T,
-    radius: T,
-    /// Of the angle forward from straight below.
-    sine: T,
-    cosine: T,
-}
-
-impl<T: Real> Polar<T> {
-    fn of(over: &Over<T>, place: T, point: &RowPoint<T>) -> Self {
-        let [x, y, z] = over.centre;
-        let to = [place - x, point.value[0] - y, point.value[1] - z];
-        let [axial, forward, below] = over.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2]);
-        let radius = (forward * forward + below * below).sqrt();
-        Self { axial, radius, sine: forward / radius, cosine: below / radius }
-    }
-
-    /// The parts of a vector of the track.
-    fn parts(&self, over: &Over<T>, v: [T; 3]) -> Parts<T> {
-        let [axial, forward, below] = over.axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2]);
-        self.turned([axial, forward, below])
-    }
-
-    /// Those of a vector across it.
-    fn parts_across(&self, over: &Over<T>, v: [T; 2]) -> Parts<T> {
-        self.turned(over.axes.map(|a| a[1] * v[0] + a[2] * v[1]))
-    }
-
-    fn turned(&self, [axial, forward, below]: [T; 3]) -> Parts<T> {
-        Parts {
-            axial,
-            radial: self.sine * forward + self.cosine * below,
-            around: self.cosine * forward - self.sine * below,
-        }
-    }
-}
-
-/// How much larger the wheel is at an angle [m], with derivatives by the way around there.
-#[derive(Clone, Copy, Default)]
-struct Raised<T> {
-    height: T,
-    slope: T,
-    bend: T,
-    /// Derivative by the arc of the nominal rolling circle [-], and curvature of the surface, more
-    /// than that of the round wheel [1/m].
-    by_arc: T,
-    curvature: T,
-}
-
-impl<T: Real> Raised<T> {
-    /// By the waves of the wheel `over` a place.
-    fn at(over: &Over<T>, polar: &Polar<T>) -> Self {
-        let Some(waves) = over.waves() else { return Self::default() };
-        let nominal = over.nominal_radius();
-        let angle = polar.sine.atan2(polar.cosine);
-        let [height, slope, bend] = waves.surface.at(waves.below + nominal * angle.value());
-        // To first order in how the angle moves.
-        let moved = (angle - angle.value()) * nominal;
-        let (height, slope) = (moved * slope + height, moved * bend + slope);
-        let scale = T::from(nominal) / polar.radius;
-        Self {
-            height,
-            slope: slope * scale,
-            bend: scale * scale * bend,
-            by_arc: slope,
-            // Of a polar curve, whose circles beside the axle are as round.
-            curvature: -(height + nominal * nominal * bend) / (polar.radius * polar.radius),
-        }
-    }
-}
-
-/// A point of the profile of the wheel.
-#[derive(Clone, Copy)]
-struct OnProfile<T> {
-    radius: T,
-    /// dr/dt, d²r/dt² and one over dt/ds.
-    slope: T,
-    bend: T,
-    rate: T,
-    /// How far it is beside the axial coordinate that it is to have [m].
-    missing: T,
-}
-
-impl<T: Real> OnProfile<T> {
-    /// That of the wheel of `line` at the parameter `s`, for the coordinate `axial` [m].
-    fn at(line: &ContactLine<T>, s: T, axial: T) -> Self {
-        let p = line.profile().at(s);
-        let rate = T::from(1.0) / p.first[0];
-        let slope = p.first[1] * rate;
-        let bend = (p.second[1] - slope * p.second[0]) * rate * rate;
-        Self {
-            radius: p.point[1] + line.nominal_radius(),
-            slope,
-            bend,
-            rate,
-            missing: axial - p.point[0],
-        }
-    }
-}
-
-/// The parameter of the profile of `line` whose axial coordinate is `axial`, sought near `s` [m];
-/// an end of the profile where that is beside it, nothing where it stands upright.
-pub(super) fn parameter_at<T: Real>(line: &ContactLine<T>, axial: f64, mut s: f64) -> Option<f64> {
-    let [start, end] = line.range();
-    for _ in 0..MAX_STEPS {
-        let p = line.profile().at(s);
-        if p.first[0] < MIN_RATE {
-            return None;
-        }
-        let step = (axial - p.point[0]) / p.first[0];
-        if step.abs() < PARABOLA {
-            return Some(s + step - 0.5 * step * step * p.second[0] / p.first[0]);
-        }
-        let next = (s + step.clamp(-LONGEST_STEP, LONGEST_STEP)).clamp(start, end);
-        if next <= start || next >= end {
-            return Some(next);
-        }
-        s = next;
-    }
-    None
 }
 
 /// A place of a row with the point of the wheel that is opposite.
@@ -347,6 +206,32 @@ impl<T: Real> Spot<T> {
     fn seen(&self, over: &Over<T>) -> [T; 2] {
         let [y, z, ..] = self.point.value;
         over.beside(self.place, [y, z])
+    }
+}
+
+impl<T: Real> Over<'_, T> {
+    /// Row `number` at a `place` where nothing touches it, of which the `point` is that: as far from
+    /// the wheel as it is there.
+    pub fn aside(&self, number: usize, place: T, point: &RowPoint<T>) -> Met<T> {
+        let [_, _, dy, dz] = point.value;
+        let (x, direction) = match self.course() {
+            None => (place, [dy, dz]),
+            Some(course) => (self.way(place, point).x, course.straight_across(point)),
+        };
+        let [y, z, ..] = point.value;
+        let here = self.beside(place, [y, z]);
+        let depth = dot(self.seen_from_marker(here), self.down);
+        let raised = Raised::at(self, &Polar::of(self, place, point)).height;
+        let lower = (x * x + depth * depth).sqrt() - depth - raised;
+        Met {
+            row: number,
+            point: [0, 1].map(|i| here[i] + lower * self.down[i]),
+            direction,
+            place,
+            x,
+            gap: Gap { height: f64::INFINITY, share: 1.0, growth: 0.0 },
+            ..Met::default()
+        }
     }
 }
 

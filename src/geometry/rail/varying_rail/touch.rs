@@ -28,14 +28,6 @@ pub(super) struct Start {
     pub opposite: Option<[f64; 2]>,
 }
 
-impl Start {
-    /// Where the row `beside` was met.
-    pub fn of(beside: Option<&Met>) -> Self {
-        let of = |b: &Met| Self { place: b.place, opposite: b.opposite };
-        beside.map_or_else(Self::default, of)
-    }
-}
-
 /// A rail and the wheel that is looked for.
 pub(super) struct Touch<'a> {
     pub surface: &'a Surface,
@@ -54,15 +46,9 @@ impl Touch<'_> {
     pub fn aside(&self, over: &Over, j: usize) -> Option<Met> {
         let row = self.row(over, j)?;
         let [from, to] = over.reach(self.surface, row.run)?;
-        let mut place = 0.0_f64.clamp(from, to);
-        let mut point = row.at(over, place);
-        if over.is_along_rows() {
-            // Along the rows the axle is elsewhere than along the track.
-            let way = over.way(place, &point);
-            place = (place - way.x / way.rate).clamp(from, to);
-            point = row.at(over, place);
-        }
-        Some(over.under_axle(j, place, &point))
+        let place = 0.0_f64.clamp(from, to);
+        let point = row.at(over, place);
+        Some(over.aside(j, place, &point))
     }
 
     /// Where the wheel meets row `j`, sought from `start`; nothing where the row is not there.
@@ -153,7 +139,7 @@ impl Touch<'_> {
             ends.into_iter().flatten().find(|end| end.value().to_bits() == found.place.to_bits());
         let Some([s, _]) = found.opposite.filter(|_| run.is_some()) else {
             let place = end.unwrap_or(place);
-            return over.under_axle(j, place, &row.at(over, place));
+            return over.aside(j, place, &row.at(over, place));
         };
         let spot = Spot::at(over, &row, end.unwrap_or(place), T::from(s));
         let [[a, b], [c, d]] = spot.rates.map(|equation| equation.map(T::value));

@@ -1,0 +1,150 @@
+//! Places of a row about the axle of the wheel above it, and points of the wheel opposite.
+
+use super::over::Over;
+use crate::geometry::sections::rows::surface::RowPoint;
+use crate::geometry::wheel::contact_line::ContactLine;
+use crate::math::real::Real;
+
+/// Newton steps to a point of the profile, the longest of them, and the one over which a parabola is
+/// as good as the profile [m].
+const MAX_STEPS: usize = 12;
+const LONGEST_STEP: f64 = 1e-3;
+const PARABOLA: f64 = 1e-6;
+/// Least share of its parameter by which the profile goes across: a flank that stands upright is
+/// not looked at.
+const MIN_RATE: f64 = 0.1;
+
+/// A vector by its parts along the axle, along the radius and around.
+#[derive(Clone, Copy)]
+pub(super) struct Parts<T> {
+    pub axial: T,
+    pub radial: T,
+    pub around: T,
+}
+
+/// A place of a row about the axle.
+#[derive(Clone, Copy)]
+pub(super) struct Polar<T> {
+    /// Coordinate along the axle and distance from it [m].
+    pub axial: T,
+    pub radius: T,
+    /// Of the angle forward from straight below.
+    pub sine: T,
+    pub cosine: T,
+}
+
+impl<T: Real> Polar<T> {
+    /// That of the `point` of a row at `place` under the wheel `over` it.
+    pub fn of(over: &Over<T>, place: T, point: &RowPoint<T>) -> Self {
+        let [x, y, z] = over.centre;
+        let to = [place - x, point.value[0] - y, point.value[1] - z];
+        let [axial, forward, below] = over.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2]);
+        let radius = (forward * forward + below * below).sqrt();
+        Self { axial, radius, sine: forward / radius, cosine: below / radius }
+    }
+
+    /// The parts of a vector of the track.
+    pub fn parts(&self, over: &Over<T>, v: [T; 3]) -> Parts<T> {
+        let [axial, forward, below] = over.axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2]);
+        self.turned([axial, forward, below])
+    }
+
+    /// Those of a vector across it.
+    pub fn parts_across(&self, over: &Over<T>, v: [T; 2]) -> Parts<T> {
+        self.turned(over.axes.map(|a| a[1] * v[0] + a[2] * v[1]))
+    }
+
+    fn turned(&self, [axial, forward, below]: [T; 3]) -> Parts<T> {
+        Parts {
+            axial,
+            radial: self.sine * forward + self.cosine * below,
+            around: self.cosine * forward - self.sine * below,
+        }
+    }
+}
+
+/// How much larger the wheel is at an angle [m], with derivatives by the way around there.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Raised<T> {
+    pub height: T,
+    pub slope: T,
+    pub bend: T,
+    /// Derivative by the arc of the nominal rolling circle [-], and curvature of the surface, more
+    /// than that of the round wheel [1/m].
+    pub by_arc: T,
+    pub curvature: T,
+}
+
+impl<T: Real> Raised<T> {
+    /// By the waves of the wheel `over` a place.
+    pub fn at(over: &Over<T>, polar: &Polar<T>) -> Self {
+        let Some(waves) = over.waves() else { return Self::default() };
+        let nominal = over.nominal_radius();
+        let angle = polar.sine.atan2(polar.cosine);
+        let [height, slope, bend] = waves.surface.at(waves.below + nominal * angle.value());
+        // To first order in how the angle moves.
+        let moved = (angle - angle.value()) * nominal;
+        let (height, slope) = (moved * slope + height, moved * bend + slope);
+        let scale = T::from(nominal) / polar.radius;
+        Self {
+            height,
+            slope: slope * scale,
+            bend: scale * scale * bend,
+            by_arc: slope,
+            // Of a polar curve, whose circles beside the axle are as round.
+            curvature: -(height + nominal * nominal * bend) / (polar.radius * polar.radius),
+        }
+    }
+}
+
+/// A point of the profile of the wheel.
+#[derive(Clone, Copy)]
+pub(super) struct OnProfile<T> {
+    /// Distance from the axle [m].
+    pub radius: T,
+    /// dr/dt, d²r/dt² and one over dt/ds.
+    pub slope: T,
+    pub bend: T,
+    pub rate: T,
+    /// How far it is beside the axial coordinate that it is to have [m].
+    pub missing: T,
+}
+
+impl<T: Real> OnProfile<T> {
+    /// That of the wheel of `line` at the parameter `s`, for the coordinate `axial` [m].
+    pub fn at(line: &ContactLine<T>, s: T, axial: T) -> Self {
+        let p = line.profile().at(s);
+        let rate = T::from(1.0) / p.first[0];
+        let slope = p.first[1] * rate;
+        let bend = (p.second[1] - slope * p.second[0]) * rate * rate;
+        Self {
+            radius: p.point[1] + line.nominal_radius(),
+            slope,
+            bend,
+            rate,
+            missing: axial - p.point[0],
+        }
+    }
+}
+
+/// The parameter of the profile of `line` whose axial coordinate is `axial`, sought near `s` [m];
+/// an end of the profile where that is beside it, nothing where it stands upright.
+pub(super) fn parameter_at<T: Real>(line: &ContactLine<T>, axial: f64, mut s: f64) -> Option<f64> {
+    let [start, end] = line.range();
+    for _ in 0..MAX_STEPS {
+        let p = line.profile().at(s);
+        if p.first[0] < MIN_RATE {
+            return None;
+        }
+        let step = (axial - p.point[0]) / p.first[0];
+        if step.abs() < PARABOLA {
+            return Some(s + step - 0.5 * step * step * p.second[0] / p.first[0]);
+        }
+        let next = (s + step.clamp(-LONGEST_STEP, LONGEST_STEP)).clamp(start, end);
+        if next <= start || next >= end {
+            return Some(next);
+        }
+        s = next;
+    }
+    None
+}
