@@ -8,7 +8,7 @@ use wheelrail::planar::PlanarCase;
 use wheelrail::subsurface::{Body, Measure, SurfaceLoad};
 
 use crate::cases::Cases;
-use crate::element_rows::read_values;
+use crate::element_rows::{placed, read_values};
 use crate::figures::stress::{Figure, Section};
 use crate::planar_cases::PlanarCases;
 use crate::{models, output, plot};
@@ -94,7 +94,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             [&parameters.wheel.profile, &parameters.rails[contact.rail as usize - 1].profile];
         let title = format!("{} on {}", profiles[0], profiles[1]);
         let speed = values.input.wheel.velocity[0].abs();
-        stresses(arguments, &parameters.flat_case(contact, speed), &title)
+        let case =
+            parameters.flat_case(contact, speed).map_err(|refused| placed(refused, place))?;
+        stresses(arguments, &case, &title)
     }
 }
 
