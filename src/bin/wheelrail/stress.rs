@@ -18,7 +18,7 @@ use crate::{models, output, plot};
 /// CASES is a table as for patch (with a column separation) or as for evaluate; --row says which of
 /// its rows, --contact which contact of a wheel. Its problem is laid flat, as for plot, and the body
 /// is a half-space under the pressure and the tractions of the models of the row. Wheels roll
-/// forward.
+/// forward and steadily: rows with a history are refused.
 ///
 /// Written to standard output: the greatest von Mises, Tresca, hydrostatic and orthogonal shear
 /// stress, over the greatest pressure p0 too, and where they are. x is along rolling and y to the
