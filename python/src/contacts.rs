@@ -44,7 +44,7 @@ pub fn contacts(
     contacts
         .into_iter()
         .map(|contact| {
-            let fields = fields(&values.parameters.flat_case(&contact, speed))?;
+            let fields = fields(&values.parameters.flat_case(&contact, speed)?)?;
             Ok(ContactWithFields { contact, fields })
         })
         .collect()

@@ -180,8 +180,7 @@ impl<S: InBulk> Evaluator<S> {
         let durations = durations.as_slice()?;
         let readers = readers::<S>(outputs);
         let out = out.as_slice_mut()?;
-        // Spare ones have the profiles of before.
-        self.spare.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.forget_spare();
         let Self { values, subject, .. } = self;
         let mut values = values.clone();
         let done = py.detach(|| {
@@ -198,6 +197,11 @@ impl<S: InBulk> Evaluator<S> {
             Ok(())
         });
         done.map_err(|(row, error): (usize, ContactError)| refused(py, &error, Some(row)))
+    }
+
+    /// Forgets what threads have left, which is what the subject was before it has changed.
+    pub fn forget_spare(&mut self) {
+        self.spare.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
     }
 
     /// A subject for a while, and the values with the given inputs.

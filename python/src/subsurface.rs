@@ -158,7 +158,7 @@ pub fn loads_of(
         evaluator.borrowed(&inputs, |element, values| {
             let (contacts, speed) = flat_contacts(element, values)?;
             let loads = contacts.iter().map(|contact| {
-                let case = values.parameters.flat_case(contact, speed);
+                let case = values.parameters.flat_case(contact, speed)?;
                 Ok(SurfaceLoad { load: Load::below(&case, body_of(is_wheel))? })
             });
             loads.collect::<Result<Vec<_>, ContactError>>()

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyTuple};
 use wheelrail::element::{ContactHistory, Element, WornBody};
 
-use crate::contacts::contacts;
+use crate::contacts::{contacts, field_dict};
 use crate::errors::{bad_value, refused};
 use crate::evaluator::{Columns, Evaluator, Found, OneRow, Places, elements};
 use crate::profile::{pairs, points};
@@ -209,7 +209,23 @@ impl SteppedWheel {
         let history = ContactHistory::from_numbers(numbers.as_slice()?);
         let history = history.map_err(|error| refused(py, &error, None))?;
         self.evaluator.subject.set_contact_history(&history);
+        self.evaluator.forget_spare();
         Ok(())
+    }
+
+    /// Pressure and remembered tractions, one dict for each rail that is touched; inputs by FMI
+    /// reference.
+    fn fields<'py>(
+        &self,
+        py: Python<'py>,
+        inputs: Vec<(usize, f64)>,
+    ) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let evaluator = &self.evaluator;
+        let found = py.detach(|| {
+            evaluator.borrowed(&inputs, |element, values| element.remembered_fields(&values.input))
+        });
+        let fields = found.map_err(|error| refused(py, &error, None))?;
+        fields.iter().map(|field| field_dict(py, field)).collect()
     }
 
     /// Points (y, z) of a profile with all wear so far [m]; body 0 is the wheel, 1 and 2 are the

@@ -36,6 +36,35 @@ def test_finer_elements_and_steps_change_little():
     assert (np.abs(np.degrees(np.angle(apart))) < 3.0).all()
 
 
+CIRCLE = Y**2 / (2 * 0.46)
+HEAVY = {"radius": 0.46, "load": 8e4}
+
+
+def test_few_elements_err_as_the_theory_says_and_so_does_a_lag_of_first_order():
+    ratios = [0.1, 0.2, 0.5]
+    # Share of the length of a lag of first order, its errors up to L/lambda = 0.2 in amplitude and degrees.
+    for oscillating, force, share, most in [
+        ("longitudinal", "fx", 0.75, (0.032, 2.6)),
+        ("lateral", "fy", 0.65, (0.043, 1.9)),
+    ]:
+        few, fine = (
+            frequency.response(
+                Y, CIRCLE, ratios, oscillating=oscillating, **HEAVY,
+                normal_elements_along=elements, normal_elements_across=elements,
+            )
+            for elements in (8, 20)
+        )  # fmt: skip
+        steady = [getattr(found, f"steady_{force}") for found in (few, fine)]
+        assert abs(steady[0] / steady[1] - 1.0) < 0.04
+        apart = few.ratio(force) / fine.ratio(force)
+        assert (np.abs(np.abs(apart) - 1.0) < 0.06).all(), apart
+        assert (np.abs(np.degrees(np.angle(apart))) < 1.9).all(), apart
+        lag = 1.0 / (1.0 + 2j * np.pi * share * np.array(ratios))
+        apart = (lag / fine.ratio(force))[:2]
+        assert (np.abs(np.abs(apart) - 1.0) < most[0]).all(), apart
+        assert (np.abs(np.degrees(np.angle(apart))) < most[1]).all(), apart
+
+
 def test_with_slip_a_load_makes_the_force_oscillate():
     found = frequency.response(
         Y, Y**2, [0.05, 0.5], oscillating="load", creepage_longitudinal=2e-3, **STATE, **COARSE

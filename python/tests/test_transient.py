@@ -90,3 +90,53 @@ def test_a_wheel_remembers_the_way_it_has_rolled():
         wheelrail.TransientRun(**models)
     with pytest.raises(wheelrail.BadValueError, match=r"tangential\.model boundary_element"):
         wheelrail.TransientRun(tangential_history="transient")
+
+
+def test_stresses_are_those_of_the_tractions_that_are_remembered():
+    models = {
+        "normal_model": "boundary_element",
+        "tangential_model": "boundary_element",
+        "normal_elements_along": 12,
+        "normal_elements_across": 12,
+        "motion": "rolling",
+        "vx": 20.0,
+        "wheel_profile": "conical:0.05",
+        "rail1_profile": "arc:0.3",
+    }
+    # A wheel that stands at first: its contact begins without tractions.
+    run = wheelrail.TransientRun(tangential_history="transient", **models)
+    z = wheelrail.Element(**models).nominal_z + 1e-4
+    run.advance(z=z, vx=0.0, duration=1e-3)
+    rested = run.history
+    turned = {"z": z, "yaw": 3e-3}
+    shear, force = [], []
+    for duration in (0.0, 5e-5, 1e-4, 0.05):
+        found = run.advance(**turned, duration=duration)
+        (field,) = run.fields(**turned)
+        area = field.dx * field.dy
+        assert field.normal_force == pytest.approx(found["patch[1].normal_force"], rel=1e-3)
+        limit = 0.3 * field.normal_force
+        assert abs(field.traction_y.sum() * area - found["patch[1].creep_force.y"]) < 0.01 * limit
+        (load,) = run.loads(**turned)
+        shear.append(load.greatest("orthogonal_shear").value)
+        force.append(abs(found["patch[1].creep_force.y"]))
+    assert force[0] == 0.0 and (np.diff(force) > 0.0).all() and (np.diff(shear) > 0.0).all()
+    # The end is steady rolling, which has elements of its own on the contact laid flat.
+    steady = wheelrail.Element(**models).loads(**turned)[0].greatest("orthogonal_shear").value
+    assert shear[-1] == pytest.approx(steady, rel=0.005) and shear[1] < 0.97 * steady
+    # Loads follow a history that is set; the wheel has the other tractions.
+    run.history = rested
+    (load,) = run.loads(**turned)
+    assert load.greatest("orthogonal_shear").value == shear[0]
+    rail, wheel = (run.loads(**turned, body=body)[0].max_pressure for body in ("rail", "wheel"))
+    assert rail == wheel and run.loads(z=z - 0.01) == []
+    with pytest.raises(wheelrail.BadValueError, match='body = "sleeper"'):
+        run.loads(**turned, body="sleeper")
+    # What knows steady rolling alone says so.
+    wheel = wheelrail.Element(tangential_history="transient", **models)
+    for of in (wheel.loads, wheel.contacts):
+        with pytest.raises(wheelrail.BadValueError, match='tangential.history = "transient" is not admitted: steady'):
+            of(**turned)
+    with pytest.raises(wheelrail.BadValueError, match=r"planar\.Transient"):
+        planar.solve(Y, SPHERE, **STATE, tangential_history="transient", normal_model="boundary_element",
+                     tangential_model="boundary_element")  # fmt: skip

@@ -264,4 +264,72 @@ mod tests {
             }
         }
     }
+
+    /// Bounds, ways either way, displacements and the elements in contact change at random. The slip
+    /// is that of the displacements, whatever a step reports as work.
+    #[test]
+    fn friction_takes_energy_on_each_element_in_each_step() {
+        let steel = Material { young_modulus: 2.1e11, poisson_ratio: 0.28 };
+        let material = MaterialPair::new(steel, steel);
+        let grid = Grid::over([-2e-3, 2.5e-3], [-1.5e-3, 1.5e-3], 9, 6);
+        let mut state = 54_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut displaced = Memory::new(&grid, &material, 0.0);
+        let mut before = vec![[0.0; 2]; grid.len()];
+        let (mut slipped, mut stuck, mut worst, mut least) = (0, 0, 0.0_f64, 0.0_f64);
+        for step in 0..240 {
+            let way = [0.0, 1e-7, 0.3, 1.0, 3.0, 100.0][step % 6] * grid.dx;
+            let way = if step % 4 == 3 { -way } else { way };
+            let bound: Vec<f64> =
+                (0..grid.len()).map(|_| 4e8 * (random() - 0.3).max(0.0)).collect();
+            let [x, y, turn] = [0; 3].map(|_| 2e-5 * (random() - 0.5));
+            let own: Vec<[f64; 2]> = (0..grid.len())
+                .map(|k| {
+                    let [along, across] =
+                        [grid.x(k % grid.along), grid.y(k / grid.along)].map(|c| 1e3 * turn * c);
+                    [x - across, y + along]
+                })
+                .collect();
+            let carried = Memory::new(&grid, &material, way).carried(&before);
+            let rigid: Vec<[f64; 2]> =
+                own.iter().zip(&carried).map(|(w, u)| [w[0] - u[0], w[1] - u[1]]).collect();
+            let found = TransientStep::new(&grid, &material, way).solve(&bound, &rigid, &before);
+            assert!(found.converged, "step {step}");
+            let largest = rigid.iter().map(|w| w[0].hypot(w[1])).fold(0.0, f64::max);
+            let p: Vec<[f64; 2]> = found.x.iter().zip(&found.y).map(|(x, y)| [*x, *y]).collect();
+            let now = displaced.carried(&p);
+            let earlier = displaced.carried(&before);
+            for k in 0..grid.len() {
+                let s = [found.slip_x[k], found.slip_y[k]];
+                let size = p[k][0].hypot(p[k][1]);
+                assert!(size <= bound[k] * (1.0 + 1e-9), "step {step}, element {k}");
+                if bound[k] <= 0.0 {
+                    continue;
+                }
+                let length = s[0].hypot(s[1]) / largest;
+                if found.slips[k] {
+                    // Against the traction, of the size of the bound.
+                    let power = (p[k][0] * s[0] + p[k][1] * s[1]) / (bound[k] * largest);
+                    (worst, slipped) = (worst.max(power + length), slipped + 1);
+                    least = least.min(power);
+                } else {
+                    (worst, stuck) = (worst.max(length), stuck + 1);
+                }
+                if way.abs() <= 0.0 {
+                    // Of a shift by the displacements themselves.
+                    for c in 0..2 {
+                        let shift = own[k][c] + now[k][c] - earlier[k][c];
+                        assert!((s[c] - shift).abs() <= 1e-9 * largest, "step {step}, element {k}");
+                    }
+                }
+            }
+            before = p;
+        }
+        println!("{slipped} slip, {stuck} adhere, off by {worst:e} of the displacement");
+        assert!(slipped > 1000 && stuck > 1000 && least < -0.1, "{slipped} {stuck} {least}");
+        assert!(worst <= 1e-7, "{worst:e}");
+    }
 }

@@ -3,6 +3,7 @@
 use super::parameters::RAILS;
 use crate::boundary_element::steps::Kept;
 use crate::error::ContactError;
+use crate::tangential::field::ContactField;
 
 /// What the contacts of an element remember: all that a next step depends on. Tractions are those at
 /// the end of the last step.
@@ -149,6 +150,9 @@ pub(in crate::element) struct Remembering {
     pub duration: f64,
     /// What such a step leaves behind.
     found: [RailHistory; RAILS],
+    /// Whether pressures and tractions are wanted, and those of each rail.
+    pub is_shown: bool,
+    shown: [Option<ContactField>; RAILS],
 }
 
 impl Remembering {
@@ -165,11 +169,22 @@ impl Remembering {
     /// Takes it that nothing presses on any rail, until something does.
     pub fn begin(&mut self) {
         self.found.iter_mut().for_each(RailHistory::clear);
+        self.shown.fill(None);
     }
 
     /// Takes over what acts on rail number `k`.
     pub fn leave(&mut self, k: usize, left: RailHistory) {
         self.found[k] = left;
+    }
+
+    /// Takes over the pressure and the tractions on rail number `k`.
+    pub fn show(&mut self, k: usize, field: ContactField) {
+        self.shown[k] = Some(field);
+    }
+
+    /// Hands the pressure and the tractions of all rails out.
+    pub fn take_shown(&mut self) -> impl Iterator<Item = ContactField> {
+        std::mem::take(&mut self.shown).into_iter().flatten()
     }
 
     /// Takes it that rail number `k` keeps what it had.

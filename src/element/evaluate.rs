@@ -31,7 +31,7 @@ impl Element {
             .collect())
     }
 
-    /// Evaluates the forces; allocates nothing.
+    /// Evaluates the forces; allocates nothing, but with boundary elements.
     ///
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.

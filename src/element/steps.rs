@@ -7,6 +7,7 @@
 use super::contact_history::ContactHistory;
 use super::{Element, Input, Output};
 use crate::error::ContactError;
+use crate::tangential::field::ContactField;
 
 impl Element {
     /// Whether tractions follow from those of the steps before.
@@ -26,6 +27,46 @@ impl Element {
         let Some(memory) = &mut self.models.memory else { return false };
         memory.history.copy_from(history);
         true
+    }
+
+    /// Pressure and tractions on the wheel as an evaluation of `input` has them, where contacts
+    /// remember: after a step, for its inputs, those that it has left. One field for each rail that
+    /// the wheel touches, the most loaded one first, with all its contacts: the arc of the rail laid
+    /// flat, from the centre of the most loaded of them. A left wheel is seen as a right one.
+    /// Allocates.
+    ///
+    /// # Errors
+    /// As [`evaluate`](Self::evaluate); an element that does not remember, or a pose at which
+    /// boundary elements do not settle.
+    pub fn remembered_fields(&mut self, input: &Input) -> Result<Vec<ContactField>, ContactError> {
+        let Some(memory) = &mut self.models.memory else {
+            return Err(ContactError::BadText {
+                name: "tangential.history".into(),
+                value: "steady".into(),
+                allowed: "transient, for tractions that are remembered".into(),
+            });
+        };
+        memory.is_shown = true;
+        let done = self.evaluate(input, &mut Output::default());
+        let memory = self.models.memory.iter_mut();
+        let mut fields: Vec<ContactField> = memory
+            .flat_map(|memory| {
+                memory.is_shown = false;
+                memory.take_shown()
+            })
+            .collect();
+        done?;
+        let touches = |rail: i32| self.models.patches.iter().any(|patch| patch.rail == rail);
+        let touched = (1..=self.rails.len() as i32).filter(|rail| touches(*rail)).count();
+        if fields.len() != touched {
+            let z = input.wheel.position[2];
+            let allowed = "a pose at which boundary elements settle";
+            return Err(ContactError::bad_value("wheel.z", z, allowed));
+        }
+        let load =
+            |field: &ContactField| field.pressure.iter().sum::<f64>() * field.grid.element_area();
+        fields.sort_by(|a, b| load(b).total_cmp(&load(a)));
+        Ok(fields)
     }
 
     /// Makes the next evaluations ends of a step of `duration` ≥ 0 [s]; the history stays until

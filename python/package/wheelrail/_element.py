@@ -587,7 +587,8 @@ class Element(_Unit):
     ) -> list[Load]:
         """What the contacts of one position load the rail or the wheel with, deepest first: see `wheelrail.subsurface`.
 
-        Each contact is laid flat, as by `contacts`; the material is that of the body.
+        Each contact is laid flat, as by `contacts`; the material is that of the body. With a history tractions
+        are those of steps: `wheelrail.TransientRun.loads`.
 
         Parameters
         ----------

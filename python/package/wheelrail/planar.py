@@ -333,7 +333,14 @@ def _cases(
     others: tuple[npt.ArrayLike, ...],
     parameters: dict[str, Any],
 ) -> tuple[Any, npt.NDArray[np.float64], tuple[int, ...], bool, dict[str, Any], Element]:
-    return (*_given(y, f, radius, approach, load, others), Element(**parameters))
+    wheel = Element(**parameters)
+    if wheel._settings.get("tangential.history", "steady") not in ("steady", 1):
+        raise BadValueError(
+            'tangential.history = "transient" is not admitted: each problem rolls steadily; planar.Transient is '
+            "followed through steps",
+            variable="tangential.history",
+        )
+    return (*_given(y, f, radius, approach, load, others), wheel)
 
 
 def _given(

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Literal
+
 import numpy as np
 import numpy.typing as npt
 
+from ._contact import Field
 from ._run import Run
 from .errors import BadValueError
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import ElementInputs
+    from .subsurface import Load
 
 __all__ = ["TransientRun"]
 
@@ -32,6 +41,47 @@ class TransientRun(Run):
                 "tangential.history = steady remembers nothing: choose transient",
                 variable="tangential.history",
             )
+
+    def fields(self, **inputs: Unpack[ElementInputs]) -> list[Field]:
+        """Pressure and the tractions that are remembered, one field for each rail that the wheel touches.
+
+        The most loaded rail is first; a field has all contacts with it, as they lie on the arc of the rail, from
+        the centre of the most loaded one. A left wheel is seen as a right one.
+
+        Parameters
+        ----------
+        **inputs : float
+            As in `wheelrail.Element.evaluate`, one number each: those of the last step, for what it has left. At
+            others nothing slips on the way, and tractions are those of before as far as the pressure bears them.
+        """
+        one = self._element._one_position("fields", inputs)
+        return [Field(**found) for found in self._native.fields(one)]
+
+    def loads(
+        self, *, body: Literal["rail", "wheel"] = "rail", **inputs: Unpack[ElementInputs]
+    ) -> list[Load]:
+        """What the `fields` load the rail or the wheel with: see `wheelrail.subsurface`.
+
+        Parameters
+        ----------
+        body : {"rail", "wheel"}
+            The body below whose surface stresses are asked for.
+        **inputs : float
+            As for `fields`.
+        """
+        from .subsurface import Load, is_wheel
+
+        material = "wheel" if is_wheel(body) else "rail"
+        given = self._element.parameters
+        return [
+            Load(
+                field,
+                body=body,
+                young_modulus=given[f"{material}.young_modulus"],
+                poisson_ratio=given[f"{material}.poisson_ratio"],
+            )
+            for field in self.fields(**inputs)
+        ]
 
     @property
     def history(self) -> npt.NDArray[np.float64]:

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
+use wheelrail::element::parameters::{
+    NormalModel, TangentialHistory, TangentialModel, VerticalMode,
+};
 use wheelrail::element::{Element, FlatContact, Input, Output, Parameters};
 use wheelrail::planar::{Adherence, ContactField, Indentation, PlanarCase, fields};
 use wheelrail::variables::Values;
@@ -111,7 +113,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
             .with_context(|| row.place())?;
         let load_given = values.parameters.vertical_mode == VerticalMode::Load;
-        draw(arguments, &wheel_figure(values, &contacts, index, load_given)?)
+        let figure = wheel_figure(values, &contacts, index, load_given);
+        draw(arguments, &figure.with_context(|| row.place())?)
     }
 }
 
@@ -151,12 +154,14 @@ pub fn all_contacts(values: &Values, folder: &Path) -> Result<Vec<FlatContact>> 
     Ok(element.flat_contacts(&at)?)
 }
 
-/// The heaviest contact of a wheel as a figure; its files lie in `folder`.
+/// The heaviest contact of a wheel that rolls steadily as a figure; its files lie in `folder`.
 ///
 /// # Errors
 /// If the wheel touches no rail, or a model fails.
 pub fn of_wheel(parameters: &Parameters, input: &Input, folder: &Path) -> Result<Figure> {
-    let values = Values { parameters: parameters.clone(), input: *input, ..Values::default() };
+    let mut values = Values { parameters: parameters.clone(), input: *input, ..Values::default() };
+    // Steady rolling is what contacts that remember begin with.
+    values.parameters.tangential_history = TangentialHistory::Steady;
     let (contacts, index) = contacts(&values, folder, 1)?;
     let load_given = parameters.vertical_mode == VerticalMode::Load;
     wheel_figure(&values, &contacts, index, load_given)
@@ -177,7 +182,7 @@ fn wheel_figure(
         contact.contact_angle.to_degrees()
     );
     let speed = values.input.wheel.velocity[0].abs();
-    let case = values.parameters.flat_case(contact, speed);
+    let case = values.parameters.flat_case(contact, speed)?;
     figure(&case, title, contacts.to_vec(), index, load_given)
 }
 

@@ -8,7 +8,7 @@ use wheelrail::planar::PlanarCase;
 use wheelrail::subsurface::{Body, Measure, SurfaceLoad};
 
 use crate::cases::Cases;
-use crate::element_rows::read_values;
+use crate::element_rows::{placed, read_values};
 use crate::figures::stress::{Figure, Section};
 use crate::planar_cases::PlanarCases;
 use crate::{models, output, plot};
@@ -18,7 +18,7 @@ use crate::{models, output, plot};
 /// CASES is a table as for patch (with a column separation) or as for evaluate; --row says which of
 /// its rows, --contact which contact of a wheel. Its problem is laid flat, as for plot, and the body
 /// is a half-space under the pressure and the tractions of the models of the row. Wheels roll
-/// forward.
+/// forward and steadily: rows with a history are refused.
 ///
 /// Written to standard output: the greatest von Mises, Tresca, hydrostatic and orthogonal shear
 /// stress, over the greatest pressure p0 too, and where they are. x is along rolling and y to the
@@ -94,7 +94,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             [&parameters.wheel.profile, &parameters.rails[contact.rail as usize - 1].profile];
         let title = format!("{} on {}", profiles[0], profiles[1]);
         let speed = values.input.wheel.velocity[0].abs();
-        stresses(arguments, &parameters.flat_case(contact, speed), &title)
+        let case =
+            parameters.flat_case(contact, speed).map_err(|refused| placed(refused, place))?;
+        stresses(arguments, &case, &title)
     }
 }
 

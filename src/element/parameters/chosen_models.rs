@@ -1,7 +1,8 @@
 //! The models and materials of an element's parameters, for a planar problem.
 
-use crate::element::parameters::Parameters;
+use crate::element::parameters::{Parameters, TangentialHistory};
 use crate::element::rail::flattened::FlatContact;
+use crate::error::ContactError;
 use crate::material::Material;
 use crate::planar::{Indentation, PlanarCase};
 
@@ -57,12 +58,29 @@ impl Parameters {
         }
     }
 
-    /// The planar problem of a `contact` of this element, where it rolls at `speed`, ≥ 0 [m/s].
-    #[must_use]
-    pub fn flat_case<'a>(&self, contact: &'a FlatContact, speed: f64) -> PlanarCase<'a> {
+    /// The planar problem of a `contact` of this element, where it rolls at `speed`, ≥ 0 [m/s]. It
+    /// rolls steadily.
+    ///
+    /// # Errors
+    /// Contacts that remember have other tractions.
+    pub fn flat_case<'a>(
+        &self,
+        contact: &'a FlatContact,
+        speed: f64,
+    ) -> Result<PlanarCase<'a>, ContactError> {
+        if self.tangential_history != TangentialHistory::Steady {
+            return Err(ContactError::BadText {
+                name: "tangential.history".into(),
+                value: "transient".into(),
+                allowed: "steady, for contacts laid flat one by one; what a wheel has left behind \
+                          after a step is shown by TransientRun.loads and .fields of the Python \
+                          package"
+                    .into(),
+            });
+        }
         let approach = Indentation::Approach(contact.penetration);
         let FlatContact { separation, radius, creepage, friction, .. } = contact;
         let case = self.planar_case(separation, *radius, approach, *creepage, *friction);
-        PlanarCase { speed, friction_across: &contact.friction_across, ..case }
+        Ok(PlanarCase { speed, friction_across: &contact.friction_across, ..case })
     }
 }

@@ -72,7 +72,7 @@ fn an_element_and_the_planar_problem_of_its_contact_agree_as_with_like_materials
             let flat = element.flat_contacts(&input).unwrap();
             // The element has creepage on the wheel's surface, deeper than where bodies first touch.
             let creepage = patch.creepage;
-            let case = PlanarCase { creepage, ..parameters.flat_case(&flat[0], SPEED) };
+            let case = PlanarCase { creepage, ..parameters.flat_case(&flat[0], SPEED).unwrap() };
             let planar = solve(&case).unwrap();
             assert!(!planar.fallback && flat.len() == 1 && output.patch_count == 1);
             let [x, y] = patch.creep_force;

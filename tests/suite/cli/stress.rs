@@ -57,3 +57,19 @@ fn stress_below_a_planar_contact_is_that_of_hertz() {
     let message = failure(&["stress", &path, "-o", figure]);
     assert!(message.contains("do not touch"), "{message}");
 }
+
+#[test]
+fn contacts_that_remember_are_refused_where_tractions_are_those_of_steady_rolling() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (path, figure) = (file("run.csv"), file("figure.svg"));
+    let table = "wheel.y,wheel.z,wheel.vx,wheel.pitch_rate,normal.model,tangential.model,tangential.history\n\
+                 0.747,-0.4597,20,-43.4,boundary_element,boundary_element,transient\n";
+    std::fs::write(&path, table).unwrap();
+    for command in ["stress", "fatigue", "plot"] {
+        let message = failure(&[command, &path, "-o", &figure]);
+        let refused = "tangential.history = \"transient\" is not admitted: steady";
+        assert!(message.contains("row 1") && message.contains(refused), "{command}: {message}");
+    }
+    success(&["evaluate", &path]);
+}

@@ -1,6 +1,7 @@
 //! Friction never creates energy, whatever the steps.
 
 use super::*;
+use crate::allocations;
 use crate::common::random::Random;
 use crate::common::wheel::evaluate;
 
@@ -85,4 +86,33 @@ fn the_work_of_a_loop_is_what_friction_takes() {
         println!("{amplitude}: {put_in:e} J put in, {taken:e} J taken, {}", last / limit);
         assert!((put_in / taken - 1.0).abs() <= 1e-3, "{amplitude}: {put_in:e} {taken:e}");
     }
+}
+
+/// Boundary elements allocate while they solve. What is kept after a step is the history, which is as
+/// large as the contact and what it has left behind.
+#[test]
+fn memory_after_a_step_is_that_of_the_contact_however_long_the_walk() {
+    let parameters = transient(&boundary(8));
+    let mut random = Random::new(7);
+    let mut wheel = element(&parameters);
+    let home = rolling(&parameters, 0.0, 2e-3, 1e-4, 5e-4);
+    let (mut live, mut most) = (Vec::new(), 0);
+    for _ in 0..6 {
+        for _ in 0..12 {
+            let depth = random.within(-1e-5, 1.5e-4);
+            let input =
+                rolling(&parameters, random.within(-4e-3, 7e-3), random.about(0.01), depth, 0.0);
+            advance(&mut wheel, &input, 0.05 * 10_f64.powf(random.within(-6.0, 0.0)));
+            most = most.max(wheel.contact_history().unwrap().to_numbers().len());
+        }
+        // The same contact, of which nothing but itself is left after a metre.
+        advance(&mut wheel, &home, 0.05);
+        advance(&mut wheel, &home, 0.05);
+        live.push(allocations::live_bytes());
+    }
+    println!("{live:?} bytes, {most} numbers");
+    assert!(most < 2 * 4 * 16 * 16, "{most}");
+    // Room once made stays, up to that of the largest contact.
+    let grown = live[5] - live[1];
+    assert!(grown.unsigned_abs() < 16 * most, "{live:?}");
 }

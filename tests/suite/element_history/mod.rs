@@ -1,6 +1,7 @@
 //! Wheels whose contacts remember: `tangential.history` = transient in the element and the units.
 
 mod energy;
+mod fields;
 mod units;
 mod wheel;
 

@@ -117,7 +117,7 @@ fn a_wheel_from_rest_follows_the_planar_contact() {
         let mut worst = 0.0_f64;
         for _ in 0..20 {
             let patch = advance(&mut wheel, &input, step).patches[0];
-            let case = parameters.flat_case(contact, 20.0);
+            let case = parameters.flat_case(contact, 20.0).unwrap();
             let case = wheelrail::planar::PlanarCase {
                 indentation: Indentation::Load(patch.normal_force),
                 // At the depth of the wheel's surface, which is the penetration below first touch.

@@ -168,13 +168,14 @@ fn an_element_has_stresses_in_its_own_materials() {
     let mut element = Element::new(&parameters, &input, &[]).unwrap();
     input.wheel.position[2] = element.nominal_wheel_z() + 8e-5;
     let contacts = element.flat_contacts(&input).unwrap();
-    let case = parameters.flat_case(&contacts[0], speed);
+    let case = parameters.flat_case(&contacts[0], speed).unwrap();
     let [wheel, rail] =
         [Body::Wheel, Body::Rail].map(|body| SurfaceLoad::below(&case, body).unwrap());
     assert_eq!(wheel.material().poisson_ratio.to_bits(), 0.28f64.to_bits());
     assert_eq!(rail.material(), parameters.materials()[1]);
     parameters.tangential_model = TangentialModel::None;
-    let alone = SurfaceLoad::below(&parameters.flat_case(&contacts[0], speed), Body::Rail).unwrap();
+    let alone = SurfaceLoad::below(&parameters.flat_case(&contacts[0], speed).unwrap(), Body::Rail)
+        .unwrap();
     let largest = wheel.max_pressure();
     let surface = |load: &SurfaceLoad, point| load.state_at(point).unwrap().stress;
     let mut sheared = 0.0f64;

@@ -67,7 +67,7 @@ pub fn at_wheel(
     let speed = input.wheel.velocity[0].abs();
     let mut all = Vec::new();
     for (index, flat) in contacts.iter().enumerate() {
-        let case = parameters.flat_case(flat, speed);
+        let case = parameters.flat_case(flat, speed)?;
         let Some((fatigue, load)) = ContactFatigue::of(&case, body, strength)? else { continue };
         let (contact, rail, arcs) = (index + 1, flat.rail, flat.profile_arcs);
         all.push(Found { row, contact, rail, arcs, fatigue, load });

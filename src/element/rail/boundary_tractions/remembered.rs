@@ -2,8 +2,9 @@
 
 use std::convert::Infallible;
 
-use super::{RailRolling, Slipped, ZoneState, bound, heaviest};
+use super::{RailRolling, Slipped, ZoneState, bound, heaviest, zone_of_row};
 use crate::boundary_element::friction::Tractions as ElementTractions;
+use crate::boundary_element::grid::Grid;
 use crate::boundary_element::steps::{Kept, Lattice, Part, Solve, Walk};
 use crate::element::contact::given_tractions::GivenTractions;
 use crate::element::contact::models::Models;
@@ -11,6 +12,7 @@ use crate::element::contact_history::{RailHistory, Remembering};
 use crate::normal::rail_elements::RailElements;
 use crate::tangential::Rolling;
 use crate::tangential::boundary_element::rolling_tractions;
+use crate::tangential::field::ContactField;
 
 /// Longest way of a step that is told from longer ones [m].
 const MAX_WAY: f64 = 1e6;
@@ -40,6 +42,9 @@ impl RailRolling<'_> {
             let solution = rolling_tractions(grid, &law.material, &bound, &rigid, rolling);
             if !solution.converged {
                 return None;
+            }
+            if memory.is_shown {
+                memory.show(k, field(elements, zones, models, &solution));
             }
             let tractions = solution.x.iter().zip(&solution.y).map(|(x, y)| [*x, *y]).collect();
             memory.leave(k, RailHistory { size, kept: Kept { window, tractions } });
@@ -81,6 +86,9 @@ impl RailRolling<'_> {
             residual: walk.residual,
             ..ElementTractions::default()
         };
+        if memory.is_shown {
+            memory.show(k, field(elements, zones, models, &solution));
+        }
         let left = Kept { window, tractions: walk.tractions };
         memory.leave(k, RailHistory { size, kept: left });
         let slipped = Slipped::Step(&work);
@@ -93,4 +101,28 @@ impl RailRolling<'_> {
         }
         Some(found)
     }
+}
+
+/// The pressure, that of damping with it, and the tractions of `solution`, seen from the centre of
+/// the heaviest zone.
+fn field(
+    elements: &RailElements,
+    zones: &[ZoneState],
+    models: &Models,
+    solution: &ElementTractions,
+) -> ContactField {
+    let (grid, zone_of_row) = (&elements.grid, zone_of_row(&models.rail_strips));
+    let factor = |row: usize| zone_of_row[row].map_or(1.0, |z| zones[z].law.state.load_factor);
+    let pressure = elements.pressure.iter().enumerate();
+    let pressure = pressure.map(|(k, p)| p * factor(k / grid.along)).collect();
+    let [x, y] = heaviest(zones, models).map_or([0.0; 2], |zone| zone.centre);
+    let grid = Grid { leading_x: grid.leading_x - x, left_y: grid.left_y - y, ..*grid };
+    let mut field = ContactField::of_pressure(grid, pressure);
+    for (k, traction) in field.traction.iter_mut().enumerate() {
+        *traction = [solution.x[k], solution.y[k]];
+    }
+    for (k, &slips) in solution.slips.iter().enumerate() {
+        field.set_adherence(k, slips);
+    }
+    field
 }
