@@ -177,7 +177,7 @@ impl<'a, T: Real> Over<'a, T> {
             let to = away(&line);
             let turning = to[0] * line.turning[1] - to[1] * line.turning[0];
             let step = aside(to, &line) / (aside(line.derivative, &line) - turning);
-            let is_last = !(step.value().abs() > LAST_STEP);
+            let is_last = step.value().abs() <= LAST_STEP || step.value().is_nan();
             // The last one is made for what moves.
             if is_last && !T::HAS_SLOPES {
                 break;

@@ -60,7 +60,7 @@ impl Touch<'_> {
         let Some(spot) = self.begin(over, &row, ends, start) else {
             return self.aside(over, j);
         };
-        let settled = |spot: Spot| self.settle(over, &row, spot, ends);
+        let settled = |spot: Spot| settle(over, &row, spot, ends);
         let (found, is_held) = if looks_through && self.is_hollow(over, j) {
             let (best, other) = self.valleys(&row, over, &spot, ends);
             let near = |axial: f64| Some(spot.s + axial - spot.axial());
@@ -88,43 +88,6 @@ impl Touch<'_> {
             let near = start.opposite.filter(|[_, own]| (axial - own).abs() < CLOSE);
             near.map(|[u, own]| u + axial - own).or_else(|| self.wheel.parameter(axial))
         })
-    }
-
-    /// Where the wheel meets a `row` `from` one place `to` another one, by Newton steps from a
-    /// `spot` on it, and whether the row ends there.
-    fn settle(&self, over: &Over, row: &Row, mut spot: Spot, [from, to]: [f64; 2]) -> (Spot, bool) {
-        // Slices that bend may lead beyond where the slope has the other sign.
-        let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
-        let mut before: Option<Spot> = None;
-        for _ in 0..MAX_STEPS {
-            let side = if spot.slope < 0.0 { &mut behind } else { &mut ahead };
-            *side = spot.place;
-            // Of a wheel that varies around the bend is that of the round one in its place.
-            let chord = before
-                .filter(|_| over.varies_around())
-                .map(|before| (spot.slope - before.slope) / (spot.place - before.place));
-            let bend = chord.unwrap_or(spot.bend).max(MIN_BEND / over.nominal_radius());
-            let step = -spot.slope / bend;
-            let mut next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
-            if !(behind..=ahead).contains(&next) {
-                next = 0.5 * (behind + ahead);
-            }
-            // Exactly on an end where it is held there.
-            let is_held = !(from..=to).contains(&next);
-            let next = next.clamp(from, to);
-            let way = next - spot.place;
-            if is_held && way == 0.0 {
-                return (spot, true);
-            }
-            if !is_held && way.abs() <= LAST_STEP {
-                spot.rest = way;
-                return (spot, false);
-            }
-            let near = spot.parameter_after(way);
-            let Some(other) = Spot::find(over, row, next, |_| Some(near)) else { break };
-            before = Some(std::mem::replace(&mut spot, other));
-        }
-        (spot, false)
     }
 
     /// The row that was `found`, as it moves with a round wheel.
@@ -202,4 +165,41 @@ impl Touch<'_> {
         let [(bottom, below, best), (next, next_below, other)] = lowest;
         (best.unwrap_or(centre), other.filter(|_| next - bottom < below + next_below))
     }
+}
+
+/// Where the wheel meets a `row` `from` one place `to` another one, by Newton steps from a
+/// `spot` on it, and whether the row ends there.
+fn settle(over: &Over, row: &Row, mut spot: Spot, [from, to]: [f64; 2]) -> (Spot, bool) {
+    // Slices that bend may lead beyond where the slope has the other sign.
+    let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut before: Option<Spot> = None;
+    for _ in 0..MAX_STEPS {
+        let side = if spot.slope < 0.0 { &mut behind } else { &mut ahead };
+        *side = spot.place;
+        // Of a wheel that varies around the bend is that of the round one in its place.
+        let chord = before
+            .filter(|_| over.varies_around())
+            .map(|before| (spot.slope - before.slope) / (spot.place - before.place));
+        let bend = chord.unwrap_or(spot.bend).max(MIN_BEND / over.nominal_radius());
+        let step = -spot.slope / bend;
+        let mut next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
+        if !(behind..=ahead).contains(&next) {
+            next = 0.5 * (behind + ahead);
+        }
+        // Exactly on an end where it is held there.
+        let is_held = !(from..=to).contains(&next);
+        let next = next.clamp(from, to);
+        let way = next - spot.place;
+        if is_held && way == 0.0 {
+            return (spot, true);
+        }
+        if !is_held && way.abs() <= LAST_STEP {
+            spot.rest = way;
+            return (spot, false);
+        }
+        let near = spot.parameter_after(way);
+        let Some(other) = Spot::find(over, row, next, |_| Some(near)) else { break };
+        before = Some(std::mem::replace(&mut spot, other));
+    }
+    (spot, false)
 }
