@@ -61,7 +61,7 @@ impl<'a> LocalLine<'a> {
     /// Place along the track at parameter `s` of a rail that varies along it; the place `x` of the
     /// contact line on others [m].
     fn met(&self, s: f64, x: f64) -> f64 {
-        self.rail.variation().map_or(x, |varying| x + varying.along(s).ahead)
+        self.rail.variation().map_or(x, |varying| x + varying.ahead(s))
     }
 
     /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that

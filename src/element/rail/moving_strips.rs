@@ -54,7 +54,7 @@ impl<T: Real> MovingLocal<'_, T> {
         let down = |v: [T; 2]| v[1] * tangent[0] - v[0] * tangent[1];
         let (overlap, overlap_slope) = (down(to(on.point)), down(derivative));
         let dy = (dot(derivative, on.first) / bending).at_least(MIN_RATE);
-        let x = self.rail.along(y).map_or(at.x, |along| at.x + along.ahead);
+        let x = self.rail.ahead(y).map_or(at.x, |ahead| at.x + ahead);
         LinePlace { u, y, dy, overlap, overlap_slope, x, tangent }
     }
 

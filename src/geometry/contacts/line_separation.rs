@@ -181,7 +181,7 @@ impl Separation for LineSeparation<'_> {
         let (point, _) = self.even_with_rate(u);
         let Some(lifting) = self.lifting else {
             let Some(varying) = self.rail.variation() else { return point };
-            let x = point.x + varying.along(self.near[0]).ahead;
+            let x = point.x + varying.ahead(self.near[0]);
             return SeparationPoint { x, ..point };
         };
         let lift = lifting.deviations.lift(point.x, lifting.radius);

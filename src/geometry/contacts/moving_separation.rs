@@ -44,7 +44,7 @@ impl<'a, T: Real> MovingSeparation<'a, T> {
     /// Where the bodies are nearest along the track, for a point of the line at `x` opposite to the
     /// parameter `s` of the rail.
     fn met(&self, x: T, s: T) -> T {
-        self.rail.along(s).map_or(x, |along| x + along.ahead)
+        self.rail.ahead(s).map_or(x, |ahead| x + ahead)
     }
 
     /// The parameter of the rail with the value `s` whose point lies at `y` across, as it moves;

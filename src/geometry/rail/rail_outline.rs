@@ -48,6 +48,17 @@ impl<'a, T: Real> RailOutline<'a, T> {
         })
     }
 
+    /// How far ahead of the even contact line the wheel meets a rail that varies at parameter `s`;
+    /// nothing for others [m].
+    #[must_use]
+    pub fn ahead(&self, s: T) -> Option<T> {
+        let varying = self.rail.variation()?;
+        Some(match self.moving {
+            None => varying.ahead(s.value()).into(),
+            Some(moving) => moving.ahead(s),
+        })
+    }
+
     /// Speed at which a rail that varies closes along the normal of its outline at parameter `s`,
     /// met at `x` from the wheel marker [m], as the wheel goes `forward` over its slope and the arc
     /// on top of a roller is `turning`; nothing for others [m/s].

@@ -345,6 +345,13 @@ impl VaryingRail {
         }))
     }
 
+    /// How far ahead of the even contact line the wheel that passed last meets the rail at parameter
+    /// `s` of the envelope [m].
+    #[must_use]
+    pub fn ahead(&self, s: f64) -> f64 {
+        self.envelope.ahead(s)
+    }
+
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
     #[must_use]
     pub fn along(&self, s: f64) -> Along {

@@ -26,9 +26,56 @@ const SAMPLE: f64 = 2e-4;
 pub(super) struct Few {
     /// Their numbers.
     pub rows: Vec<usize>,
-    /// By rows: how far those up to the next one of the few, on any slice, and the profile of the
-    /// wheel over as long a way go beside the cubics between both ends, at most [m].
+    /// By rows: how far those up to the next one of the few go beside the cubic between both on any
+    /// slice, at most [m].
     ripples: Vec<f64>,
+    of_wheel: WheelRipples,
+}
+
+/// How far the profile of a wheel goes beside cubics between two of its points, at most.
+#[derive(Clone, Debug)]
+enum WheelRipples {
+    /// Over ways as long as between two of the few rows: from samples of the profile on, the first
+    /// of which is at its `start` [m].
+    From { start: f64, samples: Vec<f64> },
+    /// Of a wheel whose section varies around, anywhere [m].
+    Anywhere(f64),
+}
+
+impl WheelRipples {
+    /// Those of a `profile`.
+    fn of(profile: &Curve) -> Self {
+        let knot = |s: f64| {
+            let p = profile.at(s);
+            Knot { s, point: p.point, tangent: p.first }
+        };
+        let start = profile.start();
+        let count = ((profile.end() - start) / SAMPLE) as usize;
+        let at = |i: usize| start + i as f64 * SAMPLE;
+        let wide = (WIDE / SAMPLE).ceil() as usize;
+        let own = (0..count.saturating_sub(wide)).map(|i| {
+            let ends = [knot(at(i)), knot(at(i + wide))];
+            let between = (i + 1..i + wide).map(|k| knot(at(k)));
+            beside(&Curve::through(&ends), between)
+        });
+        Self::From { start, samples: own.collect() }
+    }
+
+    /// Between two parameters of the profile [m].
+    fn between(&self, [from, to]: [f64; 2]) -> f64 {
+        match self {
+            Self::Anywhere(most) => *most,
+            Self::From { start, samples } => {
+                let [first, last] = [from.min(to) - WIDE, from.max(to)];
+                let sample = |s: f64| (((s - start) / SAMPLE).max(0.0) as usize).min(samples.len());
+                let own = &samples[sample(first)..sample(last + SAMPLE)];
+                let most = own.iter().copied().fold(0.0, f64::max);
+                // Where the profile bends it goes aside with the square of the way.
+                let longer = ((to - from).abs() / WIDE).max(1.0);
+                most * longer * longer
+            }
+        }
+    }
 }
 
 impl Few {
@@ -46,12 +93,15 @@ impl Few {
                 few.push(j);
             }
         }
-        let of_wheel = if wheel.around.is_some() { NEAR } else { ripple_of(wheel.profile) };
+        let of_wheel = match wheel.around {
+            Some(_) => WheelRipples::Anywhere(NEAR),
+            None => WheelRipples::of(wheel.profile),
+        };
         let mut ripples = vec![0.0; count];
         for pair in few.windows(2) {
-            ripples[pair[0]] = of_wheel + ripple_between(rows, [pair[0], pair[1]]);
+            ripples[pair[0]] = ripple_between(rows, [pair[0], pair[1]]);
         }
-        Self { rows: few, ripples }
+        Self { rows: few, ripples, of_wheel }
     }
 
     /// Whether any row from one of the few to the next one may be near a wheel that was lowered by
@@ -59,40 +109,17 @@ impl Few {
     pub fn is_near(&self, rows: &Rows, [from, to]: [&Met; 2], way: f64) -> bool {
         let [a, b] = [from, to].map(|met| met.gap.lowered(way));
         let nearest = a.min(b);
-        let goes_on = from.opposite.is_some()
-            && to.opposite.is_some()
-            && (from.x - to.x).abs() < TREND
-            && rows.parts[from.row] == rows.parts[to.row];
-        if !goes_on {
-            return nearest < NEAR;
-        }
+        let opposite = from.opposite.zip(to.opposite);
+        let goes_on = (from.x - to.x).abs() < TREND && rows.parts[from.row] == rows.parts[to.row];
+        let Some(([u, _], [v, _])) = opposite.filter(|_| goes_on) else { return nearest < NEAR };
         let length = rows.parameter[to.row] - rows.parameter[from.row];
         // A cubic is nowhere farther below the straight line between its ends.
         let rise = (b - a) / length;
         let sag = 4.0 / 27.0
             * length
             * ((rise - from.gap.growth).max(0.0) + (to.gap.growth - rise).max(0.0));
-        nearest - sag < BESIDE + self.ripples[from.row]
+        nearest - sag < BESIDE + self.ripples[from.row] + self.of_wheel.between([u, v])
     }
-}
-
-/// How far a profile goes beside the cubics through any two of its points as far from each other as
-/// the few rows, at most [m].
-fn ripple_of(profile: &Curve) -> f64 {
-    let knot = |s: f64| {
-        let p = profile.at(s);
-        Knot { s, point: p.point, tangent: p.first }
-    };
-    let length = profile.end() - profile.start();
-    let count = (length / SAMPLE) as usize;
-    let at = |i: usize| profile.start() + i as f64 * SAMPLE;
-    let wide = (WIDE / SAMPLE).ceil() as usize;
-    let own = (0..count.saturating_sub(wide)).map(|i| {
-        let ends = [knot(at(i)), knot(at(i + wide))];
-        let between = (i + 1..i + wide).map(|k| knot(at(k)));
-        beside(&Curve::through(&ends), between)
-    });
-    own.fold(0.0, f64::max)
 }
 
 /// How far the rows between two go beside the cubics through these, at most on any slice [m].

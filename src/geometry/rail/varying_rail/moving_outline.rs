@@ -33,6 +33,13 @@ impl<T: Real> MovingOutline<T> {
         self.envelope.at(s)
     }
 
+    /// How far ahead of the even contact line the wheel meets the rail at parameter `s` of the
+    /// outline [m].
+    #[must_use]
+    pub fn ahead(&self, s: T) -> T {
+        self.envelope.ahead(s)
+    }
+
     /// Where the wheel meets the rail at parameter `s` of the outline.
     #[must_use]
     pub fn along(&self, s: T) -> Along<T> {

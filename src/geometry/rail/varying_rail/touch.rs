@@ -172,14 +172,14 @@ impl Touch<'_> {
 fn settle(over: &Over, row: &Row, mut spot: Spot, [from, to]: [f64; 2]) -> (Spot, bool) {
     // Slices that bend may lead beyond where the slope has the other sign.
     let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut before: Option<Spot> = None;
+    let mut before: Option<[f64; 2]> = None;
     for _ in 0..MAX_STEPS {
         let side = if spot.slope < 0.0 { &mut behind } else { &mut ahead };
         *side = spot.place;
         // Of a wheel that varies around the bend is that of the round one in its place.
         let chord = before
             .filter(|_| over.varies_around())
-            .map(|before| (spot.slope - before.slope) / (spot.place - before.place));
+            .map(|[place, slope]| (spot.slope - slope) / (spot.place - place));
         let bend = chord.unwrap_or(spot.bend).max(MIN_BEND / over.nominal_radius());
         let step = -spot.slope / bend;
         let mut next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
@@ -199,7 +199,8 @@ fn settle(over: &Over, row: &Row, mut spot: Spot, [from, to]: [f64; 2]) -> (Spot
         }
         let near = spot.parameter_after(way);
         let Some(other) = Spot::find(over, row, next, |_| Some(near)) else { break };
-        before = Some(std::mem::replace(&mut spot, other));
+        before = Some([spot.place, spot.slope]);
+        spot = other;
     }
     (spot, false)
 }

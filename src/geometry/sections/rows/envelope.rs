@@ -98,26 +98,6 @@ impl<T: Real> Envelope<T> {
         knots.push(Knot { s: parameter, point: m.point, tangent });
     }
 
-    /// Slopes at knot `k` by the neighbours, weighted by their distance.
-    fn slopes(&self, k: usize) -> Along<T> {
-        let Self { kept, knots } = self;
-        let (a, b) = (k.max(1) - 1, (k + 1).min(knots.len() - 1));
-        let [before, behind] = [[a, k], [k, b]].map(|[from, to]| {
-            [knots[to].s - knots[from].s, T::from(1.0) / (knots[to].s - knots[from].s)]
-        });
-        Along::each(|of| {
-            let rise = |from: usize, to: usize| of(&kept[to].along) - of(&kept[from].along);
-            if a == k {
-                return rise(k, b) * behind[1];
-            }
-            if b == k {
-                return rise(a, k) * before[1];
-            }
-            let (one, other) = (rise(a, k) * before[1], rise(k, b) * behind[1]);
-            (one * behind[0] + other * before[0]) / (before[0] + behind[0])
-        })
-    }
-
     /// Point and derivatives of the outline at parameter `s` [m], as of a curve through its knots.
     pub fn at(&self, s: T) -> CurvePoint<T> {
         let i = self.knots.partition_point(|k| k.s <= s).clamp(1, self.knots.len() - 1) - 1;
@@ -155,18 +135,55 @@ impl<T: Real> Envelope<T> {
 
     /// Where the wheel meets the rail at parameter `s` of the outline.
     pub fn along(&self, s: T) -> Along<T> {
-        let n = self.knots.len();
-        if n < 2 {
-            return Along::default();
-        }
-        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, n - 1) - 1;
-        let h = self.knots[i + 1].s - self.knots[i].s;
-        let t = ((s - self.knots[i].s) / h).within(0.0, 1.0);
-        let [from, to] = [i, i + 1].map(|k| (&self.kept[k].along, self.slopes(k)));
-        Along::each(|of| {
-            let [(a, m), (b, q)] = [&from, &to].map(|(value, slope)| (of(value), h * of(slope)));
-            let bend = (b - a) * 3.0 - m * 2.0 - q + t * (m + q - (b - a) * 2.0);
-            a + t * (m + t * bend)
-        })
+        let between = self.between(s);
+        between.map_or_else(Along::default, |at| Along::each(|of| self.interpolated(&at, of)))
     }
+
+    /// How far ahead of the even contact line that is, at parameter `s` of the outline [m].
+    pub fn ahead(&self, s: T) -> T {
+        let between = self.between(s);
+        between.map_or_else(T::default, |at| self.interpolated(&at, |along| along.ahead))
+    }
+
+    /// The knots about parameter `s`, as far as the outline goes; nothing without an outline.
+    fn between(&self, s: T) -> Option<Between<T>> {
+        let Self { knots, .. } = self;
+        let last = knots.len().checked_sub(1).filter(|last| *last > 0)?;
+        let first = knots.partition_point(|k| k.s <= s).clamp(1, last) - 1;
+        let length = |k: usize| {
+            let length = knots[k + 1].s - knots[k].s;
+            [length, T::from(1.0) / length]
+        };
+        let own = length(first);
+        let share = ((s - knots[first].s) * own[1]).within(0.0, 1.0);
+        let before = (first > 0).then(|| length(first - 1));
+        let behind = (first + 1 < last).then(|| length(first + 1));
+        Some(Between { first, share, own, before, behind })
+    }
+
+    /// What the function `of` the places of touch is between two of them, by a cubic with slopes by
+    /// the neighbours, weighted by their distance.
+    fn interpolated(&self, at: &Between<T>, of: impl Fn(&Along<T>) -> T) -> T {
+        let Between { first, share: t, own: [h, slowness], before, behind } = *at;
+        let value = |k: usize| of(&self.kept[k].along);
+        let (a, b) = (value(first), value(first + 1));
+        let slope = (b - a) * slowness;
+        let with = |other: T, [length, _]: [T; 2]| (other * h + slope * length) / (h + length);
+        let m = before.map_or(slope, |near| with((a - value(first - 1)) * near[1], near)) * h;
+        let q = behind.map_or(slope, |near| with((value(first + 2) - b) * near[1], near)) * h;
+        let bend = (b - a) * 3.0 - m * 2.0 - q + t * (m + q - (b - a) * 2.0);
+        a + t * (m + t * bend)
+    }
+}
+
+/// The two knots about a place of an outline.
+struct Between<T> {
+    first: usize,
+    /// Share of the way from one to the other.
+    share: T,
+    /// Length of that way and of those before and behind it, where there are any, and one over each
+    /// [m, 1/m].
+    own: [T; 2],
+    before: Option<[T; 2]>,
+    behind: Option<[T; 2]>,
 }
