@@ -86,33 +86,31 @@ impl<T: Real> Course<T> {
         [dot(right, v), dot(down, v)]
     }
 
-    /// How fast the row of which `p` is a point goes along these axes as it goes along the track,
-    /// the inverse of that [-], and how fast that changes by its place along them [1/m].
-    pub(in crate::geometry) fn rate(&self, p: &RowPoint<T>) -> [T; 3] {
+    /// How fast the row of which `p` is a point goes along these axes as it goes along the track
+    /// [-].
+    fn rate(&self, p: &RowPoint<T>) -> T {
         let [along, ..] = self.axes;
-        let rate = along[0] + along[1] * p.first[0] + along[2] * p.first[1];
-        let slowness = T::from(1.0) / rate;
-        [rate, slowness, (along[1] * p.second[0] + along[2] * p.second[1]) * slowness]
+        along[0] + along[1] * p.first[0] + along[2] * p.first[1]
     }
 
-    /// First and second derivatives to the right and down of a row of which `p` is a point, by its
-    /// place along these axes, with what [`rate`](Self::rate) says of it.
-    pub(in crate::geometry) fn ways(
-        &self,
-        p: &RowPoint<T>,
-        [slowness, bent]: [T; 2],
-    ) -> [[T; 2]; 2] {
-        let [first, second] = [p.first, [p.second[0], p.second[1], p.second[0], p.second[1]]];
-        let along = self.across([T::from(1.0), first[0], first[1]]);
-        let bend = self.across([T::from(0.0), second[0], second[1]]);
+    /// The same, and first and second derivatives to the right and down of the row by its place
+    /// along these axes.
+    pub(in crate::geometry) fn way(&self, p: &RowPoint<T>) -> (T, [[T; 2]; 2]) {
+        let [along, ..] = self.axes;
+        let rate = self.rate(p);
+        let slowness = T::from(1.0) / rate;
+        let bent = (along[1] * p.second[0] + along[2] * p.second[1]) * slowness;
+        let way = self.across([T::from(1.0), p.first[0], p.first[1]]);
+        let bend = self.across([T::from(0.0), p.second[0], p.second[1]]);
         let squared = slowness * slowness;
-        [along.map(|v| v * slowness), [0, 1].map(|c| (bend[c] - along[c] * bent) * squared)]
+        let second = [0, 1].map(|c| (bend[c] - way[c] * bent) * squared);
+        (rate, [way.map(|v| v * slowness), second])
     }
 
     /// Direction straight across these axes from row to row, at the point `p` of one.
     pub(in crate::geometry) fn straight_across(&self, p: &RowPoint<T>) -> [T; 2] {
         let [along, ..] = self.axes;
-        let [_, slowness, _] = self.rate(p);
+        let slowness = T::from(1.0) / self.rate(p);
         let [zero, one] = [0.0, 1.0].map(T::from);
         // By how much the place along the track falls back so that one across goes straight.
         let back = (along[1] * p.value[2] + along[2] * p.value[3]) * slowness;
@@ -123,12 +121,6 @@ impl<T: Real> Course<T> {
 }
 
 impl Course {
-    /// The same as numbers with derivatives, at rest.
-    #[must_use]
-    pub fn fixed<T: Real>(&self) -> Course<T> {
-        Course { axes: self.axes.map(|axis| axis.map(T::from)), ahead: self.ahead.into() }
-    }
-
     /// What the pitch of a wheel that stands at `pose` against the rail is less in these axes,
     /// where it stands at `turned` [rad].
     #[must_use]

@@ -13,14 +13,12 @@ pub struct SurfacePoint {
 
 /// The surface of the wheel straight below a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Below<T = f64> {
+pub struct Below {
     /// How far below [m].
-    pub depth: T,
+    pub depth: f64,
     /// Derivatives of that along the track and to the right [-].
-    pub slopes: [T; 2],
+    pub slopes: [f64; 2],
     /// Second derivative along the track, but for what the section is curved across a wheel that
     /// yaws [1/m].
-    pub bend: T,
-    /// What a round wheel that yaws is curved across adds to that; 0 where it varies around [1/m].
-    pub across: T,
+    pub bend: f64,
 }

@@ -1,7 +1,6 @@
 //! Places of a row about the axle of the wheel above it, and points of the wheel opposite.
 
 use super::over::Over;
-use crate::geometry::sections::rows::surface::RowPoint;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
 
@@ -34,13 +33,18 @@ pub(super) struct Polar<T> {
 }
 
 impl<T: Real> Polar<T> {
-    /// That of the `point` of a row at `place` under the wheel `over` it.
-    pub fn of(over: &Over<T>, place: T, point: &RowPoint<T>) -> Self {
+    /// That of a point across the track at `place` under the wheel `over` it [m].
+    pub fn of(over: &Over<T>, place: T, point: [T; 2]) -> Self {
         let [x, y, z] = over.centre;
-        let to = [place - x, point.value[0] - y, point.value[1] - z];
+        let to = [place - x, point[0] - y, point[1] - z];
         let [axial, forward, below] = over.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2]);
         let radius = (forward * forward + below * below).sqrt();
         Self { axial, radius, sine: forward / radius, cosine: below / radius }
+    }
+
+    /// Its coordinates along the axle, forward and down [m].
+    pub fn place(&self) -> [T; 3] {
+        [self.axial, self.radius * self.sine, self.radius * self.cosine]
     }
 
     /// The parts of a vector of the track.

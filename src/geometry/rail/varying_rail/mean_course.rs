@@ -13,7 +13,7 @@
 //! the rail, and rows that come within reach do so far below the wheel, so that the mean is a
 //! smooth function of the pose.
 
-use super::about_axle::parameter_at;
+use super::about_axle::{OnProfile, Polar, parameter_at};
 use super::over::Over;
 use super::touch::CLOSE;
 use super::wheel_table::WheelTable;
@@ -191,7 +191,7 @@ fn own<T: Real>(
     };
     // Opposite to the row where that beside it is met; where it would be met; opposite to it there.
     let x = clamped(beside.map_or(T::from(0.0), |b| b.x));
-    let [axial, _] = about_axle(over, x, at(x));
+    let Polar { axial, .. } = Polar::of(over, x, at(x));
     let near = beside.filter(|b| (b.axial - axial.value()).abs() < CLOSE);
     let u = match near {
         Some(near) => near.u + axial.value() - near.axial,
@@ -199,7 +199,7 @@ fn own<T: Real>(
     };
     let [s, _] = opposite(over, axial, u)?;
     let x = clamped(over.line().even_at(s).x);
-    let [axial, distance] = about_axle(over, x, at(x));
+    let Polar { axial, radius: distance, .. } = Polar::of(over, x, at(x));
     let [s, radius] = opposite(over, axial, s.value())?;
     let [a, b] = [x - CHORD, x + CHORD].map(clamped);
     let length = b - a;
@@ -212,19 +212,10 @@ fn own<T: Real>(
     Some(RowCourse { gap: distance - radius, rates, met })
 }
 
-/// Coordinate along the axle of the wheel `over` a point across the track at `x`, and its distance
-/// from that [m].
-fn about_axle<T: Real>(over: &Over<T>, x: T, [y, z]: [T; 2]) -> [T; 2] {
-    let to = [x - over.centre[0], y - over.centre[1], z - over.centre[2]];
-    let [axial, forward, down] = over.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2]);
-    [axial, (forward * forward + down * down).sqrt()]
-}
-
 /// Parameter of the wheel, and its radius, at a coordinate along the axle, sought near the parameter
 /// `u` [m]; nothing where it stands upright.
 fn opposite<T: Real>(over: &Over<T>, axial: T, u: f64) -> Option<[T; 2]> {
     let found = parameter_at(over.line(), axial.value(), u)?;
-    let p = over.line().profile().at(T::from(found));
-    let step = (axial - p.point[0]) / p.first[0];
-    Some([step + found, p.point[1] + step * p.first[1] + over.nominal_radius()])
+    let on = OnProfile::at(over.line(), found.into(), axial);
+    Some([on.missing * on.rate + found, on.radius + on.missing * on.slope])
 }

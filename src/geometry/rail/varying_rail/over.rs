@@ -103,8 +103,7 @@ impl<'a, T: Real> Over<'a, T> {
                 Way { x: place, rate: T::from(1.0), first, second }
             }
             Some(course) => {
-                let [rate, slowness, bent] = course.rate(point);
-                let [first, second] = course.ways(point, [slowness, bent]);
+                let (rate, [first, second]) = course.way(point);
                 let [x, ..] = course.place([place, point.value[0], point.value[1]]);
                 Way { x, rate, first, second }
             }
@@ -156,6 +155,12 @@ impl<'a, T: Real> Over<'a, T> {
     /// Radius of the nominal rolling circle [m].
     pub fn nominal_radius(&self) -> f64 {
         self.line.nominal_radius()
+    }
+
+    /// A vector by its parts along the axle, forward and down in the axes of the track.
+    pub fn in_space(&self, [side, ahead, below]: [T; 3]) -> [T; 3] {
+        let [axle, forward, down] = self.axes;
+        [0, 1, 2].map(|i| axle[i] * side + forward[i] * ahead + down[i] * below)
     }
 
     /// Where a point across the track at `place` is in the axes of the outline [m].

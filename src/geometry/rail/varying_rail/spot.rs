@@ -38,6 +38,7 @@ use crate::math::real::Real;
 
 /// Least bend of a row against the wheel, over that of the wheel.
 pub(super) const MIN_BEND: f64 = 0.1;
+
 /// A row of a surface on a run of slices.
 #[derive(Clone, Copy)]
 pub(super) struct Row<'a> {
@@ -61,14 +62,10 @@ pub(super) struct Spot<T = f64> {
     pub point: RowPoint<T>,
     /// Parameter of the profile of the wheel [m].
     pub s: T,
-    /// How far beside the row that is, along the axle [m].
-    pub missing: T,
     /// h, its derivative along the track and that of it [m, -, 1/m].
     pub gap: T,
     pub slope: T,
     pub bend: T,
-    /// Derivatives of `missing` and `slope` by the place and by the parameter.
-    pub rates: [[T; 2]; 2],
     /// The step along the track to where the bodies are nearest, if it is so short that all goes
     /// along with it evenly [m].
     pub rest: T,
@@ -86,7 +83,7 @@ impl<T: Real> Spot<T> {
     /// profile.
     pub fn at(over: &Over<T>, row: &Row, place: T, s: T) -> Self {
         let point = row.at(over, place);
-        let polar = Polar::of(over, place, &point);
+        let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
         Self::opposite(over, place, point, polar, s)
     }
 
@@ -100,10 +97,7 @@ impl<T: Real> Spot<T> {
         let turned = turn.radial + along.around * around
             - raised.bend * along.around * along.around
             - raised.slope * (turn.around - along.radial * around * 2.0);
-        let straight = turned - profile.slope * turn.axial;
-        let bent = profile.bend * along.axial;
         let cosine = T::from(1.0) / (profile.slope * profile.slope + 1.0).sqrt();
-        let [axle, forward, down] = over.axes;
         let (out, side) = (cosine, -(profile.slope * cosine));
         let around = -(raised.slope * cosine);
         let ahead = out * polar.sine + around * polar.cosine;
@@ -112,22 +106,33 @@ impl<T: Real> Spot<T> {
             place,
             point,
             s,
-            missing: profile.missing,
             gap: polar.radius - raised.height - profile.radius,
             slope: rise - profile.slope * along.axial,
-            bend: straight - bent * along.axial,
-            rates: [
-                [along.axial, T::from(-1.0) / profile.rate],
-                [straight, -(bent / profile.rate)],
-            ],
+            bend: turned - profile.slope * turn.axial - profile.bend * along.axial * along.axial,
             rest: T::from(0.0),
             cosine,
-            normal: [0, 1, 2].map(|i| axle[i] * side + forward[i] * ahead + down[i] * below),
+            normal: over.in_space([side, ahead, below]),
             polar,
             profile,
             raised,
             along,
         }
+    }
+
+    /// How far the point of the profile is beside the row along the axle [m], and the slope of the
+    /// gap: where both vanish the wheel meets the row.
+    pub fn equations(&self) -> [T; 2] {
+        [self.profile.missing, self.slope]
+    }
+
+    /// Derivatives of both by the place and by the parameter of the profile.
+    pub fn rates(&self) -> [[T; 2]; 2] {
+        let Self { profile, along: Parts { axial, .. }, .. } = self;
+        let bent = profile.bend * *axial;
+        [
+            [*axial, T::from(-1.0) / profile.rate],
+            [self.bend + bent * *axial, -(bent / profile.rate)],
+        ]
     }
 
     /// Row `number` as it is met here, where the row ends if it `is_held`.
@@ -221,7 +226,8 @@ impl<T: Real> Over<'_, T> {
         let [y, z, ..] = point.value;
         let here = self.beside(place, [y, z]);
         let depth = dot(self.seen_from_marker(here), self.down);
-        let raised = Raised::at(self, &Polar::of(self, place, point)).height;
+        let raised =
+            Raised::at(self, &Polar::of(self, place, [point.value[0], point.value[1]])).height;
         let lower = (x * x + depth * depth).sqrt() - depth - raised;
         Met {
             row: number,
@@ -246,7 +252,7 @@ impl Spot {
         near: impl FnOnce(f64) -> Option<f64>,
     ) -> Option<Self> {
         let point = row.at(over, place);
-        let polar = Polar::of(over, place, &point);
+        let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
         let s = parameter_at(over.line(), polar.axial, near(polar.axial)?)?;
         let spot = Self::opposite(over, place, point, polar, s);
         if over.varies_around() { spot.around(over) } else { Some(spot) }
@@ -254,20 +260,17 @@ impl Spot {
 
     /// The same place opposite to a wheel whose section varies around.
     fn around(self, over: &Over) -> Option<Self> {
-        let Polar { axial, radius, sine, cosine } = self.polar;
-        let from = [axial, radius * sine, radius * cosine];
-        let found = over.line().along_radius(from, [self.s, -self.gap])?;
+        let Polar { sine, cosine, .. } = self.polar;
+        let found = over.line().along_radius(self.polar.place(), [self.s, -self.gap])?;
         let Raised { height, slope, .. } = self.raised;
         let gap = -found.depth - height;
-        let [side, ahead, below] = found.normal;
+        let [_, ahead, below] = found.normal;
         let facing = ahead * sine + below * cosine;
-        let [axle, forward, down] = over.axes;
-        let normal = [0, 1, 2].map(|i| axle[i] * side + forward[i] * ahead + down[i] * below);
+        let normal = over.in_space(found.normal);
         let [y, z] = [self.point.first[0], self.point.first[1]];
         let rise = (normal[0] + normal[1] * y + normal[2] * z) / facing;
         Some(Self {
             s: found.s,
-            missing: 0.0,
             gap,
             slope: rise - slope * self.along.around,
             cosine: facing,
@@ -298,7 +301,7 @@ impl Spot {
         let ahead = line.ahead_of_round(self.s);
         let beyond = |away: f64, depth: f64| (away * away + depth * depth).sqrt() - z;
         let round = line.round_below(met.x, y, self.s);
-        let round = round.map_or(0.0, |round| beyond(met.x - on_line + ahead, round.depth));
+        let round = round.map_or(0.0, |depth| beyond(met.x - on_line + ahead, depth));
         let along = Along {
             raised: beyond(met.x - on_line, here.depth) - round,
             lever: line.lever([met.x, y], &here) - ahead,
@@ -308,10 +311,10 @@ impl Spot {
         Met { along, ..met }
     }
 
-    /// How much higher the row is for the wheel at the `point` at `place` than opposite to the same
-    /// point of its profile here, along the normal [m].
+    /// How far the row is from the wheel along the radius at the `point` at `place`, whose profile
+    /// goes on straight from here [m].
     pub fn height(&self, over: &Over, place: f64, point: &RowPoint) -> f64 {
-        let polar = Polar::of(over, place, point);
+        let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
         let raised = Raised::at(over, &polar).height;
         let away = polar.radius - raised - self.profile.radius;
         let aside = polar.axial - self.polar.axial;
@@ -319,9 +322,7 @@ impl Spot {
         if !over.varies_around() {
             return straight;
         }
-        let Polar { axial, radius, sine, cosine } = polar;
-        let from = [axial, radius * sine, radius * cosine];
-        let found = over.line().along_radius(from, [self.s, -straight]);
+        let found = over.line().along_radius(polar.place(), [self.s, -straight]);
         found.map_or(straight, |found| -found.depth - raised)
     }
 

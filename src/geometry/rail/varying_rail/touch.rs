@@ -105,12 +105,12 @@ impl Touch<'_> {
             return over.aside(j, place, &row.at(over, place));
         };
         let spot = Spot::at(over, &row, end.unwrap_or(place), T::from(s));
-        let [[a, b], [c, d]] = spot.rates.map(|equation| equation.map(T::value));
+        let [missing, slope] = spot.equations();
+        let [[a, b], [c, d]] = spot.rates().map(|equation| equation.map(T::value));
         let (place, s) = if let Some(end) = end {
-            (end, T::moving(s, -spot.missing / b))
+            (end, T::moving(s, -missing / b))
         } else {
             let inverse = -1.0 / (a * d - b * c);
-            let (missing, slope) = (spot.missing, spot.slope);
             let place = T::moving(found.place, (missing * d - slope * b) * inverse);
             (place, T::moving(s, (slope * a - missing * c) * inverse))
         };

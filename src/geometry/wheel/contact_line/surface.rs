@@ -11,9 +11,7 @@
 //! track; of a wheel whose section varies around the surface is that of its rows.
 
 use super::ContactLine;
-use crate::geometry::wheel::surface_point::Below;
 pub use crate::geometry::wheel::surface_point::SurfacePoint;
-use crate::math::real::Real;
 
 /// Newton steps to a point; three are the rule.
 const MAX_STEPS: usize = 12;
@@ -75,54 +73,31 @@ impl ContactLine<'_> {
         }
         None
     }
-}
 
-impl<T: Real> ContactLine<'_, T> {
-    /// The surface of the round wheel below the place at `x` along the track and `y` to the right
-    /// of the marker [m], across track and axle, sought near the profile parameter `s`; nothing
+    /// How far the surface of the round wheel is below the place at `x` along the track and `y` to the
+    /// right of the marker, across track and axle, sought near the profile parameter `s` [m]; nothing
     /// where the wheel ends or stands upright.
     ///
     /// With v = y cos ψ - x sin ψ along the axle and f = x cos ψ + y sin ψ forward it is z below
     /// the axle, z² = R(v)² - f².
     #[must_use]
-    pub fn round_below(&self, x: T, y: T, mut s: f64) -> Option<Below<T>> {
+    pub fn round_below(&self, x: f64, y: f64, mut s: f64) -> Option<f64> {
         let (sine, cosine) = (-self.axle[0], self.cosine);
         let (axial, forward) = (y * cosine - x * sine, x * cosine + y * sine);
-        let mut found = None;
         for _ in 0..MAX_STEPS {
             let p = self.profile.at(s);
-            let step = (axial.value() - p.point[0]) / p.first[0];
+            let step = (axial - p.point[0]) / p.first[0];
             // Not a number where the profile stands upright.
             if !(s + step > self.profile.start() && s + step < self.profile.end()) {
                 return None;
             }
             if step.abs() <= LAST_STEP {
-                found = Some(self.profile.at(T::from(s)));
-                break;
+                let radius = p.point[1] + step * p.first[1] + self.nominal_radius;
+                return Some((radius * radius - forward * forward).max(0.0).sqrt());
             }
             s += step;
         }
-        let p = found?;
-        // What is left is of the order of the last step's cube.
-        let step = (axial - p.point[0]) / p.first[0];
-        let step = step - step * step * p.second[0] / (p.first[0] * 2.0);
-        let [first_y, first_z] = [0, 1].map(|i| p.first[i] + p.second[i] * step);
-        let rise = step * (p.first[1] + p.second[1] * step * 0.5);
-        let radius = p.point[1] + rise + self.nominal_radius;
-        let slope = first_z / first_y;
-        let depth = (radius * radius - forward * forward).at_least(0.0).sqrt();
-        let facing = depth / (radius * (slope * slope + 1.0).sqrt());
-        if !(first_y.value() > 0.0 && facing.value() > MIN_COSINE) {
-            return None;
-        }
-        let turning = radius * slope;
-        let by_x = -(turning * sine + forward * cosine) / depth;
-        let by_y = (turning * cosine - forward * sine) / depth;
-        let bend = (slope * slope * sine * sine - cosine * cosine - by_x * by_x) / depth;
-        // R'' of the profile as a function of v.
-        let bent = (p.second[1] - slope * p.second[0]) / (first_y * first_y);
-        let across = radius * bent * sine * sine / depth;
-        Some(Below { depth, slopes: [by_x, by_y], bend, across })
+        None
     }
 }
 

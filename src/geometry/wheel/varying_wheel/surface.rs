@@ -60,7 +60,7 @@ impl VaryingWheel {
         let [a, b] = in_plane(way, place.across, place.around);
         let bend =
             (2.0 * a * b * dot(normal, place.twist) + b * b * dot(normal, place.bend)) / facing;
-        Some(Below { depth, slopes, bend, across: 0.0 })
+        Some(Below { depth, slopes, bend })
     }
 
     /// As [`surface_along`](Self::surface_along), and the place itself.
