@@ -234,25 +234,24 @@ impl Element {
             output.clear();
             self.models.patches.clear();
             let Self { rails, models, work, .. } = self;
-            let rails = rails.iter_mut().enumerate();
-            let mut met = rails.filter_map(|(k, rail)| {
-                rail.as_mut()?.way_down(k, input, [load, most_lift], models, output, work)
-            });
-            let descent = match met.next() {
-                None => {
-                    step = (2.0 * step).min(LONGEST_STEP);
-                    continue;
+            let (mut met, mut nearest) = (None, f64::NEG_INFINITY);
+            for (k, rail) in rails.iter_mut().enumerate() {
+                let Some(rail) = rail else { continue };
+                match rail.way_down(k, input, [load, most_lift], models, output, work) {
+                    Err(lift) => nearest = nearest.max(lift),
+                    Ok(_) if met.is_some() => return None,
+                    Ok(descent) => met = Some(descent),
                 }
-                // Once: what is left is a matter of the geometry.
-                Some(Err(lift)) => {
-                    (step, most_lift) = (depth - lift, f64::INFINITY);
-                    continue;
-                }
-                Some(Ok(descent)) => descent,
-            };
-            if met.next().is_some() {
-                return None;
             }
+            if nearest > 0.0 {
+                // Once: what is left is a matter of the geometry.
+                (step, most_lift) = (depth - nearest, f64::INFINITY);
+                continue;
+            }
+            let Some(descent) = met else {
+                step = (depth - nearest).max(2.0 * step).min(LONGEST_STEP);
+                continue;
+            };
             let Descent { way, reached, stiffness, .. } = descent;
             let ratio = -output.wheel.force[2] / reached;
             let normal = load / ratio;

@@ -21,8 +21,9 @@ const AT_ONCE: f64 = 1e-5;
 /// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries
 /// the wheel is no hindrance [rad].
 const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
-/// Step of the descent onto the rail: no wheel passes through a rail in it [m].
-const DESCENT_STEP: f64 = 2e-4;
+/// Steps of the descent onto the rail: the least, and the longest, in which no wheel passes through a
+/// rail [m].
+const DESCENT_STEPS: [f64; 2] = [2e-4, 2e-3];
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
 const MAX_DESCENT_STEPS: usize = 750;
 /// Twice the least radius of bodies against each other that a guess of first touch allows for [m]:
@@ -155,16 +156,31 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<Touch
     let mut lift = |z: f64| {
         let mut at = *input;
         at.wheel.position[2] = z;
-        (rails.iter_mut().enumerate())
-            .filter_map(|(k, rail)| rail.as_mut()?.lift(k, &at))
-            .reduce(f64::max)
+        let rails = rails.iter_mut().enumerate();
+        let lifts = rails.filter_map(|(k, rail)| Some(rail.as_mut()?.lift(k, &at)));
+        lifts.reduce(|one, other| match (one, other) {
+            (Ok(lift), Ok(other)) => Ok(lift.max(other)),
+            (Err(apart), Err(other)) => Err(apart.min(other)),
+            (Ok(lift), Err(_)) | (Err(_), Ok(lift)) => Ok(lift),
+        })
     };
     // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is
     // lost in rounding.
-    let height = |step: usize| highest + step as f64 * DESCENT_STEP;
-    let (step, mut to_lift) =
-        (1..=MAX_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
-    let (mut clear, mut touching) = (height(step - 1), height(step));
+    let (mut clear, mut touching) = (highest, highest + DESCENT_STEPS[0]);
+    let mut met = None;
+    for _ in 0..MAX_DESCENT_STEPS {
+        match lift(touching)? {
+            Ok(to_lift) => {
+                met = Some(to_lift);
+                break;
+            }
+            Err(apart) => {
+                clear = touching;
+                touching += apart.clamp(DESCENT_STEPS[0], DESCENT_STEPS[1]);
+            }
+        }
+    }
+    let mut to_lift = met?;
     // Down to neighbouring numbers: from within by the penetration, which leaves about its square,
     // and from the last of these guesses up until it is clear.
     let rounding = touching - touching.next_down();
@@ -186,7 +202,7 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<Touch
         if !is_inside(z) {
             break;
         }
-        if let Some(found) = lift(z) {
+        if let Some(Ok(found)) = lift(z) {
             (touching, to_lift) = (z, found);
         } else {
             (clear, allowed) = (z, FARTHER * allowed);

@@ -88,6 +88,7 @@ mod varying_rail;
 mod varying_wheel;
 mod vertical_load;
 mod walk;
+mod walk_uneven;
 mod wear;
 mod wheelset;
 mod wide_inputs;

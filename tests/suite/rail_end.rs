@@ -20,7 +20,7 @@ const DEPTH: f64 = 1e-4;
 /// A crown of radius 300 mm and half a width of 12 mm that rises by `slope` and is there on one
 /// side of station 0, which `is_there` tells of the places [mm], beside a ledge 20 mm below that
 /// goes on.
-fn ending(slope: f64, is_there: impl Fn(f64) -> bool) -> TempDir {
+pub fn ending(slope: f64, is_there: impl Fn(f64) -> bool) -> TempDir {
     let folder = TempDir::new().unwrap();
     let ledge: Vec<[f64; 2]> = (0..=20).map(|i| [-60.0 + f64::from(i), 20.0]).collect();
     let length = |points: &[[f64; 2]]| -> f64 {

@@ -119,7 +119,7 @@ fn lobes_that_join_and_part_make_no_jumps() {
             (wheel.position[1], wheel.position[2]) = (1e-3 * y, 1e-3 * z);
             // What closes sideways is damped, by zones of other normals when they join.
             (wheel.roll, wheel.yaw, wheel.velocity[1]) = (1e-3 * roll, 1e-3 * yaw, 0.05);
-            let line = Line { start, y: 0.4, z: -0.6, roll: 0.0, yaw: 0.0 };
+            let line = Line { start, y: 0.4, z: -0.6, roll: 0.0, yaw: 0.0, along: 0.0, pitch: 0.0 };
             let middle = Line { start: line.at(-0.5 * STEP * STEPS as f64), ..line };
             let share = [1.0, FRICTION][forces];
             let found = follow(&mut element, &middle, share, most, &mut Vec::new());

@@ -6,6 +6,7 @@ use crate::element::contact::rail_friction::RailFriction;
 use crate::element::input::Input;
 use crate::element::parameters::Parameters;
 use crate::geometry::contacts::clearance::Clearance;
+use crate::geometry::contacts::clearances::Clearances;
 use crate::geometry::contacts::contact_search::{ContactSearch, MAX_PROBES};
 use crate::geometry::contacts::separation::Probe;
 use crate::geometry::curves::curve::Curve;
@@ -25,7 +26,7 @@ pub struct RailContact {
     rail_name: String,
     pub(in crate::element) nominal_radius: f64,
     pub(in crate::element) rail: PlacedRail,
-    clearance: Clearance,
+    clearances: Clearances,
     /// The same for a rail that varies along the track as it is where the wheel is, for wheels that
     /// are inside.
     here: Option<Clearance>,
@@ -47,7 +48,7 @@ pub struct RailContact {
 pub(in crate::element) struct Around {
     wheel: VaryingWheel,
     /// Where the wheel as it stands can touch the rail.
-    clearance: Clearance,
+    clearances: Clearances,
 }
 
 /// Least cosine of a contact angle for a guess of how far penetration goes with height.
@@ -71,14 +72,18 @@ impl RailContact {
         friction: Option<RailFriction>,
     ) -> Self {
         let nominal_radius = parameters.wheel.nominal_radius;
-        let mut clearance = Clearance::new(&wheel.curve, nominal_radius, rail.curve());
-        let here = rail.variation().map(|varying| {
-            let mut own = clearance.clone();
-            own.reserve(clearance.raise(varying.faces()));
-            own
-        });
+        let even = Clearance::new(&wheel.curve, nominal_radius, rail.curve());
+        let (clearances, here) = match rail.variation() {
+            None => (Clearances::even(even), None),
+            Some(varying) => {
+                let (along, wider) = Clearances::along(&even, varying);
+                let mut here = even;
+                here.reserve(wider);
+                (along, Some(here))
+            }
+        };
         Self {
-            clearance,
+            clearances,
             here,
             around: None,
             ranges: FixedVec::new(MAX_RANGES),
@@ -96,11 +101,11 @@ impl RailContact {
     /// The same for a wheel whose section varies around; its profile so far is the first section.
     #[must_use]
     pub fn with_wheel(mut self, wheel: &VaryingWheel) -> Self {
-        let mut clearance = self.clearance.clone();
-        clearance.reserve(self.clearance.lower(wheel.sides()));
+        let mut clearances = self.clearances.clone();
+        clearances.reserve(self.clearances.lower(wheel.sides()));
         self.wheel.curve.reserve(wheel.most_knots());
         self.search.reserve(MAX_ADDED_ARC + wheel.longer());
-        self.around = Some(Box::new(Around { wheel: wheel.clone(), clearance }));
+        self.around = Some(Box::new(Around { wheel: wheel.clone(), clearances }));
         self
     }
 
@@ -141,7 +146,7 @@ impl RailContact {
     pub fn put_curves<T>(&mut self, wheel: &Curve, rail: impl FnOnce(&mut Curve) -> T) -> T {
         self.wheel.curve.copy_from(wheel);
         let put = self.rail.put_curve(rail);
-        self.clearance.put_curves(wheel, self.rail.curve());
+        self.clearances.put_curves(wheel, self.rail.curve());
         self.search.put_wheel(wheel);
         put
     }
@@ -151,20 +156,23 @@ impl RailContact {
     pub fn reserve_for_wear(&mut self, wheel_knots: usize, rail_knots: usize) {
         self.wheel.curve.reserve(wheel_knots);
         self.rail.reserve(rail_knots);
-        self.clearance.reserve(MAX_ADDED_WIDTH);
+        self.clearances.reserve(MAX_ADDED_WIDTH);
         self.search.reserve(MAX_ADDED_ARC);
     }
 
     /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no
-    /// contact is left, by their penetrations and angles as they are; nothing where there is no
-    /// contact [m].
-    pub fn lift(&mut self, k: usize, input: &Input) -> Option<f64> {
+    /// contact is left, by their penetrations and angles as they are [m].
+    ///
+    /// # Errors
+    /// About how far the wheel is from touching, where it does not, or how far it surely is [m].
+    pub fn lift(&mut self, k: usize, input: &Input) -> Result<f64, f64> {
         if !self.search_contacts(k, input) {
-            return None;
+            let apart = self.height_near_touch(k, input) - input.wheel.position[2];
+            return Err(apart.max(0.0));
         }
         let contacts = self.search.contacts.iter();
         let lifts = contacts.map(|contact| contact.penetration / contact.normal()[1].max(STEEPEST));
-        lifts.reduce(f64::max)
+        lifts.reduce(f64::max).ok_or(self.search.least_distance)
     }
 
     /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds
@@ -179,7 +187,8 @@ impl RailContact {
         let pose = self.frame(k, input).pose(&input.wheel);
         let turned = self.rail.course().map_or(0.0, |course| course.pitch(&level, &pose));
         let pitch = input.wheel.pitch - turned;
-        if !self.turn_wheel(pitch, &pose) {
+        let station = self.station(input);
+        if !self.turn_wheel(pitch, &pose, station) {
             return false;
         }
         if self.around.is_some() && !self.find_ranges(input, &level) {
@@ -201,12 +210,12 @@ impl RailContact {
 
     /// Turns a wheel whose section varies around to `pitch` at `pose`; false where there is nothing
     /// of it.
-    fn turn_wheel(&mut self, pitch: f64, pose: &WheelPose) -> bool {
+    fn turn_wheel(&mut self, pitch: f64, pose: &WheelPose, station: f64) -> bool {
         let Some(around) = &mut self.around else { return true };
-        let Around { wheel, clearance } = around.as_mut();
+        let Around { wheel, clearances } = around.as_mut();
         let is_there = wheel.pass(pose, pitch, &mut self.wheel.curve);
         if is_there {
-            clearance.put_wheel(&self.wheel.curve);
+            clearances.at_mut(station).put_wheel(&self.wheel.curve);
             self.search.follow_wheel(&self.wheel.curve);
         }
         is_there
@@ -222,8 +231,9 @@ impl RailContact {
             let ahead = (2.0 * self.nominal_radius + 0.1) * pose.yaw.abs();
             deviations.place(station, input.wheel.pitch, ahead);
         }
-        let clearance = self.around.as_ref().map_or(&self.clearance, |around| &around.clearance);
-        clearance.ranges(&lowest, &mut self.ranges);
+        let around = self.around.as_deref();
+        let clearances = around.map_or(&self.clearances, |around| &around.clearances);
+        clearances.at(self.station(input)).ranges(&lowest, &mut self.ranges);
         !self.ranges.is_empty()
     }
 
@@ -237,7 +247,8 @@ impl RailContact {
         let pose = frame.pose(&input.wheel);
         // A rolled rail turns the height about its marker, and moves the wheel aside on its way down.
         let highest = self.highest();
-        frame.marker.z + self.clearance.clear_height(pose.roll)
+        let clearance = self.clearances.at(self.station(input));
+        frame.marker.z + clearance.clear_height(pose.roll)
             - pose.marker[1].abs() * frame.roll.abs()
             - highest
     }
@@ -246,8 +257,15 @@ impl RailContact {
     /// `k`, by the bounds of [`Clearance`]; infinite where the wheel stands beside the rail [m].
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
-        let near = self.clearance.height_near_touch(&frame.pose(&input.wheel));
+        let clearance = self.clearances.at(self.station(input));
+        let near = clearance.height_near_touch(&frame.pose(&input.wheel));
         frame.marker.z + near - self.highest()
+    }
+
+    /// Station of the wheel of `input` on the rail; 0 on one that is even [m].
+    fn station(&self, input: &Input) -> f64 {
+        let along = |varying: &VaryingRail| varying.station(input.track_s, input.wheel.position[0]);
+        self.rail.variation().map_or(0.0, along)
     }
 
     /// How much nearer the bodies can be than the profiles of the clearance [m].
@@ -260,9 +278,10 @@ impl RailContact {
     /// is not [m].
     pub(in crate::element) fn depth(&mut self, k: usize, input: &Input) -> f64 {
         let pose = self.frame(k, input).pose(&input.wheel);
+        let station = self.station(input);
         let clearance = match (&mut self.here, &self.around) {
-            (None, None) => &self.clearance,
-            (None, Some(around)) => &around.clearance,
+            (None, None) => self.clearances.at(station),
+            (None, Some(around)) => around.clearances.at(station),
             (Some(here), _) => {
                 here.put_curves(&self.wheel.curve, self.rail.curve());
                 here

@@ -105,10 +105,11 @@ impl RailContact {
     /// How far the wheel of `input` has to go down for the contacts with rail number `k`, each by
     /// itself, to have about the vertical force `load`, if friction bore nothing; adds the forces
     /// there to `output`. Contacts by themselves are those of the normal model, or of Piotrowski
-    /// and Kik where that solves for a whole rail. Nothing where there is no contact.
+    /// and Kik where that solves for a whole rail.
     ///
     /// # Errors
-    /// How far the wheel has to be lifted off, where that is more than `most_lift` [m].
+    /// How far the wheel has to be lifted off, where that is more than `most_lift`; where nothing
+    /// touches about how far it is from touching, negative [m].
     pub fn way_down(
         &mut self,
         k: usize,
@@ -117,11 +118,11 @@ impl RailContact {
         models: &mut Models,
         output: &mut Output,
         work: &mut Work,
-    ) -> Option<Result<Descent, f64>> {
-        let lift = self.lift(k, input)?;
+    ) -> Result<Descent, f64> {
+        let lift = self.lift(k, input).map_err(|apart| -apart)?;
         work.searches += 1;
         if lift > most_lift {
-            return Some(Err(lift));
+            return Err(lift);
         }
         let frame = self.frame(k, input);
         let line =
@@ -171,7 +172,7 @@ impl RailContact {
             let mut separation = pressed.separation;
             forces.add_forces(&mut separation, models, output, work);
         }
-        Some(Ok(descent))
+        Ok(descent)
     }
 
     /// Adds the forces of the contacts found; returns how many zones found no room or fell back to

@@ -146,9 +146,9 @@ impl Clearance {
         self.chord = (2.0 * (self.nominal_radius + wheel_low) * reach).sqrt();
     }
 
-    /// Raises the rail to all of the `faces` of one that varies along the track, by the corners (y,
-    /// z) of each: no wheel above them touches it anywhere. Returns how far it then reaches beyond
-    /// its sides [m].
+    /// Puts the `faces` of a rail that varies along the track, by the corners (y, z) of each, in the
+    /// place of the rail, if there are any: no wheel above them touches it anywhere. Returns how far
+    /// it then reaches beyond the sides that it had [m].
     pub fn raise(&mut self, faces: impl Iterator<Item = [[f64; 2]; 4]> + Clone) -> f64 {
         let across = |face: &[[f64; 2]; 4]| {
             let y = face.map(|corner| corner[0]);
@@ -168,6 +168,10 @@ impl Clearance {
         let start = first - before as f64 * CELL;
         let own = self.rail_top;
         let mut lowest = own;
+        if faces.clone().next().is_some() {
+            self.top.fill(f64::INFINITY);
+            self.rail_top = f64::INFINITY;
+        }
         for face in faces {
             let [left, right] = across(&face).map(|y| PADDING + ((y - start) / CELL) as usize);
             let top = face.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min) - BULGE;

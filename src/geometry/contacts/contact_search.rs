@@ -64,6 +64,8 @@ pub struct ContactSearch {
     pub evaluations: u64,
     /// Contacts or probes for which there was no room.
     pub left_out: u64,
+    /// Least distance of the points at which it was evaluated in the last search [m].
+    pub least_distance: f64,
 }
 
 impl ContactSearch {
@@ -77,6 +79,7 @@ impl ContactSearch {
             contacts: FixedVec::new(MAX_CONTACTS),
             evaluations: 0,
             left_out: 0,
+            least_distance: f64::INFINITY,
         };
         search.put_wheel(wheel);
         search
@@ -109,6 +112,7 @@ impl ContactSearch {
     pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail, ranges: &[[f64; 2]]) {
         self.contacts.clear();
         self.probes.clear();
+        self.least_distance = f64::INFINITY;
         let [start, end] = line.range();
         for range in ranges {
             self.interval.clear();
@@ -165,6 +169,7 @@ impl ContactSearch {
                 }
             }
         }
+        self.least_distance = self.least_distance.min(nearest.distance);
         let away = if nearest.beyond_end {
             let to = [at.point[0] - nearest.point[0], at.point[1] - nearest.point[1]];
             let length = nearest.distance.max(f64::MIN_POSITIVE);

@@ -2,6 +2,7 @@
 
 #[doc(hidden)]
 pub mod clearance;
+pub(crate) mod clearances;
 #[doc(hidden)]
 pub mod contact;
 #[doc(hidden)]

@@ -157,9 +157,20 @@ impl VaryingRail {
         self.surface.count()
     }
 
-    /// Faces between neighbouring slices and rows, by their corners (y, z) [m].
-    pub fn faces(&self) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
-        self.surface.faces()
+    /// Stations of the first and the last section [m].
+    #[must_use]
+    pub fn stations(&self) -> [f64; 2] {
+        let places = &self.surface.rows.places;
+        [places[0], places[places.len() - 1]]
+    }
+
+    /// Faces between neighbouring slices and rows that a wheel between two stations may touch [m],
+    /// by their corners (y, z) [m].
+    pub fn faces_near(
+        &self,
+        stations: [f64; 2],
+    ) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
+        self.surface.faces_near(stations)
     }
 
     /// Takes axes along the rows near a wheel that stands at `pose`, `x` from the origin of a track

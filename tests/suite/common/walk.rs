@@ -38,6 +38,9 @@ pub struct Line {
     pub z: f64,
     pub roll: f64,
     pub yaw: f64,
+    /// The station, and the pitch.
+    pub along: f64,
+    pub pitch: f64,
 }
 
 impl Line {
@@ -53,7 +56,33 @@ impl Line {
         let [y, z, roll, yaw] = [1.0, 0.3, 0.5, 0.5].map(|most| random.about(most));
         let sum = y.abs() + z.abs() + roll.abs() + yaw.abs();
         let [y, z, roll, yaw] = [y, z, roll, yaw].map(|share| share / sum);
-        Self { start, y, z, roll: roll / ARMS[0], yaw: yaw / ARMS[1] }
+        let (roll, yaw) = (roll / ARMS[0], yaw / ARMS[1]);
+        Self { start, y, z, roll, yaw, along: 0.0, pitch: 0.0 }
+    }
+
+    /// The same of bodies that vary: within `reach` of station 0 [m], turned by up to `turn` [rad],
+    /// rolling on besides.
+    pub fn over_uneven(
+        element: &mut Element,
+        random: &mut Random,
+        aside: [f64; 2],
+        [reach, turn]: [f64; 2],
+    ) -> Self {
+        let mut input = rolling(random.within(aside[0], aside[1]), 20.0);
+        let wheel = &mut input.wheel;
+        (wheel.roll, wheel.yaw) = (random.about(4e-3), random.about(0.012));
+        wheel.velocity[0] *= 1.0 + random.about(3e-3);
+        wheel.velocity[1] = random.about(0.05);
+        wheel.pitch = random.about(turn);
+        input.track_s = random.about(reach);
+        input.friction = FRICTION;
+        let depth = 10_f64.powf(random.within(-5.0, -3.85));
+        let start = pressed(element, &input, depth);
+        let ways = [1.0, 0.3, 0.5, 0.5, 1.0, 1.0].map(|most| random.about(most));
+        let sum: f64 = ways.iter().map(|way| way.abs()).sum();
+        let [y, z, roll, yaw, along, pitch] = ways.map(|share| share / sum);
+        let (roll, yaw, pitch) = (roll / ARMS[0], yaw / ARMS[1], pitch / ARMS[0]);
+        Self { start, y, z, roll, yaw, along, pitch }
     }
 
     pub fn at(&self, way: f64) -> Input {
@@ -63,6 +92,8 @@ impl Line {
         wheel.position[2] += self.z * way;
         wheel.roll += self.roll * way;
         wheel.yaw += self.yaw * way;
+        wheel.pitch += self.pitch * way;
+        input.track_s += self.along * way;
         input
     }
 }

@@ -20,7 +20,7 @@ fn text(points: &[[f64; 2]]) -> String {
 
 /// A wing that runs off to the track side beside a nose that rises and begins at -50 mm: in files
 /// of their own, and as one rail with three parts, the groove between them among them.
-pub(super) fn crossing() -> TempDir {
+pub fn crossing() -> TempDir {
     let folder = TempDir::new().unwrap();
     let wing_at = |s: f64| [-16.0 - 0.03 * s, 0.3 + 1e-3 * s];
     let nose_at = |s: f64| [18.0, 0.3 - 6e-3 * s];

@@ -3,7 +3,7 @@
 mod against_contact;
 mod boundary_elements;
 mod corrugation;
-mod crossing;
+pub mod crossing;
 mod drifting_sections;
 mod equal_sections;
 mod parts;

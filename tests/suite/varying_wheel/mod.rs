@@ -36,7 +36,7 @@ fn with(profile: &str) -> Parameters {
 
 /// A folder with a wheel S1002 in `round.txt`, and in `wheel.slcw` the same by slices every 5
 /// degrees, turning about an axle beside its own: at angle 0 it reaches farthest.
-fn eccentric() -> TempDir {
+pub fn eccentric() -> TempDir {
     let folder = TempDir::new().unwrap();
     let wheel = load_profile("wheel", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
     let (start, end) = (wheel.curve.start(), wheel.curve.end());

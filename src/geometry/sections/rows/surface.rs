@@ -10,6 +10,8 @@ use crate::math::real::Real;
 
 /// Farthest place of touch from the axle [m].
 pub(in crate::geometry) const REACH: f64 = 0.12;
+/// The same along rows that drift or rise: flanges touch rows that come from the side far ahead [m].
+pub(in crate::geometry) const FARTHEST: f64 = 0.3;
 
 /// A row at one place: point and derivative across, both with their derivatives along the track.
 #[derive(Clone, Copy, Debug)]
@@ -65,11 +67,18 @@ impl Surface {
         Within { slice: before(station), ends: [before(station - REACH), behind] }
     }
 
-    /// Faces between neighbouring slices and rows, by their corners (y, z) [m].
-    pub fn faces(&self) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
+    /// Faces between neighbouring slices and rows that a wheel between two stations may touch [m],
+    /// by their corners (y, z) [m].
+    pub fn faces_near(
+        &self,
+        [from, to]: [f64; 2],
+    ) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
         let count = self.count();
-        let slices = self.rows.knots.chunks(count).zip(self.rows.knots.chunks(count).skip(1));
+        let last = self.within(to + FARTHEST).slice + 1;
+        let first = self.within(from - FARTHEST).slice;
+        let slices = self.rows.knots.chunks(count).skip(first).take(last - first);
         slices
+            .zip(self.rows.knots.chunks(count).skip(first + 1))
             .flat_map(|(here, next)| {
                 here.windows(2).zip(next.windows(2)).map(|(a, b)| {
                     [a[0], a[1], b[0], b[1]].map(|knot| [knot.value[0], knot.value[1]])
