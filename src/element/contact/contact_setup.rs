@@ -18,7 +18,6 @@ use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::line_separation::{Lifting, RailSeparation};
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
-use crate::geometry::rail::varying_rail::Along;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::kinematics::creepage::{ContactAxes, RelativeMotion};
 use crate::math::real::Real;
@@ -134,7 +133,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     /// How far the load of `zone` is ahead of the contact line of a round wheel [m].
     fn ahead_of_line(&self, zone: &Zone<T>, models: &Models<T>) -> T {
         let (is_ellipse, line) = (models.normal == NormalModel::Hertz, self.line.round());
-        let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
+        let centre = |u| line.place(if is_ellipse { self.contact.u } else { u });
         self.ahead.unwrap_or_else(|| zone_surface::ahead(zone, &models.strips, centre))
     }
 
@@ -202,11 +201,11 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.approach_velocity(touch).dot(&normal);
         if along.is_some() || self.line.varies_around() {
-            let Along { ahead, lever, .. } = along.unwrap_or_default();
-            let x = self.line.even_at(self.contact.u).x + ahead;
+            let along = along.unwrap_or_default();
+            let x = self.line.even_at(self.contact.u).x + along.ahead;
             let speeds = rail_speeds(self.input, self.k, self.rail.rail, &self.frame);
-            let rail = self.rail.closing_speed(self.contact.rail_s, x, speeds).unwrap_or_default();
-            let ahead = self.line.ahead_of_round(self.contact.u) + lever;
+            let rail = self.rail.closing_speed(&along, self.contact.rail_s, x, speeds);
+            let ahead = self.line.ahead_of_round(self.contact.u) + along.lever;
             let arm = self.frame.along() * ahead;
             return even + rail + motion.turning_velocity(arm).dot(&normal);
         }

@@ -8,7 +8,7 @@ use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
-use crate::geometry::rail::varying_rail::Along;
+use crate::geometry::rail::varying_rail::{Along, VaryingRail};
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
 use crate::math::real::Real;
@@ -160,15 +160,20 @@ impl OverlapLine for LocalLine<'_> {
         self.on_rail(place)
     }
 
-    fn radius(&mut self, u: f64) -> f64 {
-        if self.rail.variation().is_some() || self.line.varies_around() {
-            let place = self.whole_place(u);
+    fn radius(&mut self, at: &LinePlace) -> f64 {
+        let varying = self.rail.variation();
+        if varying.is_some_and(VaryingRail::is_near_end) {
+            // Without what the end leaves out.
+            let place = self.whole_place(at.u);
             let radius = self.varying_radius(&place);
             return self.cut(&place).map_or(radius, |cut| radius * cut.radius_share);
         }
+        if varying.is_some() || self.line.varies_around() {
+            return self.varying_radius(at);
+        }
         match self.line.deviations() {
-            None => self.line.wheel_point(u).section_radius,
-            Some(deviations) => self.uneven_radius(u, deviations),
+            None => self.line.wheel_point(at.u).section_radius,
+            Some(deviations) => self.uneven_radius(at.u, deviations),
         }
     }
 }

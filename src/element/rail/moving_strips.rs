@@ -78,12 +78,11 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
         }
     }
 
-    fn radius(&mut self, u: T) -> T {
-        let even = self.line.wheel_point(u).section_radius;
-        if !self.rail.varies() {
-            return even;
-        }
-        let place = self.whole_place(u);
+    fn radius(&mut self, at: &LinePlace<T>) -> T {
+        let even = self.line.wheel_point(at.u).section_radius;
+        let Some(varying) = self.rail.rail.variation() else { return even };
+        // Where an end is near, without what that leaves out.
+        let place = if varying.is_near_end() { self.whole_place(at.u) } else { *at };
         let radius = self.rail.along(place.y).map_or(even, |along| radius_on_rows(even, &along));
         self.cut(&place).map_or(radius, |cut| radius * cut.radius_share)
     }

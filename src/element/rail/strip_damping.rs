@@ -2,7 +2,6 @@
 
 use crate::element::contact::rail_frame::RailFrame;
 use crate::geometry::rail::rail_outline::RailOutline;
-use crate::geometry::rail::varying_rail::Along;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::kinematics::creepage::RelativeMotion;
@@ -56,8 +55,10 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.point(touch, x);
         let normal = self.frame.direction(normal);
         let even = self.motion.approach_velocity(touch).dot(&normal);
-        let even = self.rail.closing_speed(y, x, self.speeds).map_or(even, |speed| even + speed);
-        let Along { lever, .. } = self.rail.along(y).unwrap_or_default();
+        let along = self.rail.along(y);
+        let even =
+            along.map_or(even, |along| even + self.rail.closing_speed(&along, y, x, self.speeds));
+        let lever = along.map_or(T::from(0.0), |along| along.lever);
         let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
         let even = even + self.motion.turning_velocity(self.frame.along() * ahead).dot(&normal);
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {

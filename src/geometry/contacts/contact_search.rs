@@ -36,6 +36,8 @@ pub const MAX_PROBES: usize = 2048;
 /// Depth from which on the nearest point of the rail is looked for all around it [m]: wheels that
 /// are loaded stay far above, and gauge corners are rounded by twice as much.
 const DEEP: f64 = 5e-3;
+/// How far a point of the rail may be from straight on if it is the nearest one [m].
+const ASKEW: f64 = 1e-4;
 /// Distance along the rail over which its nearest point moves within one step only where it goes
 /// over to another side [m].
 const OTHER_SIDE: f64 = 1e-2;
@@ -158,10 +160,12 @@ impl ContactSearch {
         if nearest.distance < 0.0 {
             let to = [0, 1].map(|i| at.point[i] - nearest.point[i]);
             let squared = to[0] * to[0] + to[1] * to[1];
-            if squared > DEEP * DEEP {
+            let askew = squared - nearest.distance * nearest.distance;
+            if squared > DEEP * DEEP || askew > ASKEW * ASKEW {
                 // So deep inside, the guess may hold on to a side that is no longer the nearest
                 // one; or the line has gone so far at once, about the rim of a flange, that it is
-                // outside; or it is before a wall, and what was found is the wall behind.
+                // outside; or it is before a wall, and what was found is the wall behind; or steps
+                // about an edge did not settle, and what was found is not straight on.
                 let anywhere = rail.nearest_of_all(at.point, tolerance);
                 let is_on_a_side = !anywhere.beyond_end || !rail.is_between_ends(at.point);
                 if is_on_a_side && anywhere.distance * anywhere.distance < squared {
@@ -194,13 +198,10 @@ impl ContactSearch {
     /// rail: what is inside the rail ends exactly there.
     fn pass_end(&mut self, line: &ContactLine, rail: &PlacedRail, from: &Sample, to: &Sample) {
         let inside = if from.beyond_end { to } else { from };
-        // Inside the distance changes no faster than the line runs.
-        let length = (to.u - from.u) * stretch(line, from.u).max(stretch(line, to.u));
-        if inside.distance > length {
-            return;
-        }
         let (mut end, mut beyond) = (*inside, from.u + to.u - inside.u);
-        while (beyond - end.u).abs() > EXTREMUM_BRACKET {
+        // The distance changes no faster than the line runs.
+        let rate = stretch(line, from.u).max(stretch(line, to.u));
+        while (beyond - end.u).abs() * rate > end.distance.max(EXTREMUM_BRACKET) {
             let middle = 0.5 * (end.u + beyond);
             let here = self.sample(line, rail, middle, end.rail_s, FINE);
             if here.beyond_end {

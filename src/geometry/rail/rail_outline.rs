@@ -59,22 +59,20 @@ impl<'a, T: Real> RailOutline<'a, T> {
         })
     }
 
-    /// Speed at which a rail that varies closes along the normal of its outline at parameter `s`,
-    /// met at `x` from the wheel marker [m], as the wheel goes `forward` over its slope and the arc
-    /// on top of a roller is `turning`; nothing for others [m/s].
+    /// Speed at which the rail closes along the normal of its outline at parameter `s`, where the
+    /// wheel meets it `along` the track, at `x` from the wheel marker, as the wheel goes `forward`
+    /// over its slope and the arc on top of a roller is `turning` [m/s].
     #[must_use]
-    pub fn closing_speed(&self, s: T, x: T, [forward, turning]: [T; 2]) -> Option<T> {
-        let varying = self.rail.variation()?;
-        let Along { lean, gap, .. } = self.along(s)?;
-        let climbing = forward * (lean + gap);
-        if !varying.is_corrugated() {
-            return Some(climbing);
-        }
+    pub fn closing_speed(&self, along: &Along<T>, s: T, x: T, [forward, turning]: [T; 2]) -> T {
+        let climbing = forward * (along.lean + along.gap);
+        let Some(varying) = self.rail.variation().filter(|varying| varying.is_corrugated()) else {
+            return climbing;
+        };
         let CurvePoint { point, first, .. } = self.at(s);
         let upward = first[0] / first[0].hypotenuse(first[1]);
         // Derivatives on corrugated rails are differences.
         let rise = varying.rise([x.value(), point[1].value()]);
-        Some(climbing + turning * upward * rise)
+        climbing + turning * upward * rise
     }
 
     /// From where to where a rail that varies is there at parameter `s`, from the wheel marker [m],

@@ -50,7 +50,6 @@ use crate::geometry::sections::slices::Slices;
 use crate::geometry::uneven::waviness::Waviness;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
-use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
 /// A rail whose section varies.
@@ -72,8 +71,6 @@ pub struct VaryingRail {
     waves: Waviness,
     nominal_radius: f64,
     envelope: Envelope,
-    /// How far the few rows surely are below the wheel that comes next, seen along the track [m].
-    lows: FixedVec<f64>,
     meeting: Meeting,
     /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
     arcs: Vec<f64>,
@@ -108,22 +105,22 @@ impl VaryingRail {
         let roller = is_roller.then_some(Roller { radius: roller_radius, top: 0.0 });
         let surface = Surface { rows, roller, corrugation };
         let (arcs, top) = arcs_of_pattern(&surface);
+        let few = Few::new(&surface.rows, wheel);
         Self {
             arcs,
             top,
             free_ends: surface.free_ends(),
             is_near_end: false,
             bounds: Bounds::new(&surface, wheel.nominal_radius, &wheel.waves),
-            few: Few::new(&surface.rows, wheel),
             wheel: WheelTable::new(wheel.profile, wheel.sides()),
             profile: wheel.profile.clone(),
-            courses: Courses::new(&surface, wheel.profile),
+            courses: Courses::new(&surface, &few.rows, wheel.profile),
+            few,
             pose: WheelPose { marker: [0.0; 3], roll: 0.0, yaw: 0.0 },
             level: None,
             waves: wheel.waves.clone(),
             nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
-            lows: FixedVec::new(surface.count()),
             meeting: Meeting::new(surface.count()),
             surface,
             station: 0.0,
@@ -177,12 +174,6 @@ impl VaryingRail {
     /// that is at the station `origin` [m]: those in which it is seen to [`pass`](Self::pass).
     pub fn approach(&mut self, pose: &WheelPose, [origin, x]: [f64; 2]) {
         let station = self.station(origin, x);
-        let Self { surface, bounds, few, wheel, lows, profile, .. } = self;
-        let line = ContactLine::new(profile, self.nominal_radius, pose);
-        let within = surface.within(station);
-        let above = &Over::new(&line, pose, station, within);
-        lows.clear();
-        lows.extend(few.rows.iter().map(|&j| below(bounds.of(j, within.slice), wheel, above, 0.0)));
         self.level = self.course_under(pose, station).map(|course| (*pose, course));
     }
 
@@ -190,9 +181,8 @@ impl VaryingRail {
     /// these do not drift or rise.
     #[must_use]
     pub fn course_under<T: Real>(&self, pose: &WheelPose<T>, station: T) -> Option<Course<T>> {
-        let Self { surface, few, lows, .. } = self;
         let line = ContactLine::new(&self.profile, self.nominal_radius, pose);
-        self.courses.near(surface, (&few.rows, lows), &line, pose, station)
+        self.courses.near(&self.surface, &line, pose, station)
     }
 
     /// The axes along the rows near the wheel that was to pass last, where these drift or rise.
@@ -252,21 +242,21 @@ impl VaryingRail {
 
     /// Meets all rows that may touch, and a few of the others.
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
-        let Self { surface, bounds, few, wheel, lows, meeting, waves, level, .. } = self;
+        let Self { surface, bounds, few, wheel, meeting, waves, level, .. } = self;
         let within = surface.within(self.station);
         let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, self.pitch));
-        let course = level.map(|(_, course)| course);
+        let course = level.as_ref().map(|(_, course)| *course);
         let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
         let touch = Touch { surface, bounds, wheel };
-        let Some((level, course)) = level else {
-            meeting.meet(&touch, few, over, lows.iter().copied());
-            return;
-        };
+        // In the axes of the track, in which the bounds are; farther aside along rows that drift.
+        let (level, aside) = level.as_ref().map_or((pose, 0.0), |(level, course)| {
+            let [along, ..] = course.axes;
+            (level, (REACH_ALONG - REACH) * (along[1] / along[0]).abs())
+        });
         let above = &Over::new(line, level, self.station, within);
-        let [along, ..] = course.axes;
-        let aside = (REACH_ALONG - REACH) * (along[1] / along[0]).abs();
-        let low = |&j: &usize| below(bounds.of(j, within.slice), wheel, above, aside);
-        meeting.meet(&touch, few, over, few.rows.iter().map(low));
+        let low = |j: usize| below(bounds.of(j, within.slice), wheel, above, aside);
+        let lows = few.rows.iter().zip(&few.edges).map(|(&j, edge)| low(j) - edge);
+        meeting.meet(&touch, few, over, lows);
     }
 
     /// Parameter of the outline that was laid last near the highest place of the pattern, and the
@@ -335,6 +325,12 @@ impl VaryingRail {
         }
     }
 
+    /// Whether rows begin or end within reach of the wheel that passed last.
+    #[must_use]
+    pub fn is_near_end(&self) -> bool {
+        self.is_near_end
+    }
+
     /// From where to where the row at parameter `s` of the envelope is there: places in the frame of
     /// the rail, x from the marker of the wheel that passed last, without end where it goes on to
     /// the end of the rail or is broken [m]; nothing where no row ends within reach.
@@ -389,15 +385,14 @@ fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
     (arcs, top)
 }
 
-/// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it
-/// counts as near, if it goes `aside` beyond that [m].
+/// How far a row is surely below the `wheel` by its `bound`, if it goes `aside` beyond that [m].
 fn below(bound: &Bound, wheel: &WheelTable, over: &Over, aside: f64) -> f64 {
-    let [left, right] = bound.y;
-    let y = [left - aside, right + aside];
-    let [left, right] = y.map(|y| over.seen_from_marker([y, bound.top]));
-    let across = [left, right].map(|[y, z]| y * over.right[0] + z * over.right[1]);
-    let lowest = wheel.lowest([across[0] - over.margin[0], across[1] + over.margin[0]]);
-    let z = left[1];
-    let highest = (left[0] * over.down[0]).min(right[0] * over.down[0]) + z * over.down[1];
-    highest - (lowest + over.nominal_radius()) - over.margin[1]
+    let [right, down] = [over.right, over.down];
+    let [y, z] = over.seen_from_marker([0.0, bound.top]);
+    let (left, wide) = (bound.y[0] - aside + y, bound.y[1] - bound.y[0] + 2.0 * aside);
+    let across = left * right[0] + z * right[1];
+    let [beside, yawed] = over.margin;
+    let lowest = wheel.lowest([across - beside, across + wide * right[0] + beside]);
+    let highest = (left * down[0]).min((left + wide) * down[0]) + z * down[1];
+    highest - lowest - over.nominal_radius() - yawed
 }

@@ -320,18 +320,23 @@ fn divide([from, to]: [f64; 2], at: &impl Fn(f64) -> Vec<RowValue>, rows: &mut V
     let length = to - from;
     let is_followed = || {
         let (ends, places) = ([at(from), at(to)], [0.25, 0.5, 0.75]);
-        places.into_iter().all(|t| {
-            let between = at(from + t * length);
-            between.iter().zip(ends[0].iter().zip(&ends[1])).all(|(own, (a, b))| {
-                let away = [0, 1].map(|c| {
-                    let (m, n) = (length * a[c + 2], length * b[c + 2]);
-                    let rise = b[c] - a[c];
-                    let bend = 3.0 * rise - 2.0 * m - n + t * (m + n - 2.0 * rise);
-                    own[c] - (a[c] + t * (m + t * bend))
-                });
-                away[0].hypotenuse(away[1]) <= FOLLOWED
+        let turns_little = ends[0].iter().zip(&ends[1]).all(|(a, b)| {
+            let sizes = a[2].hypotenuse(a[3]) * b[2].hypotenuse(b[3]);
+            (a[2] * b[3] - a[3] * b[2]).abs() <= STRAIGHT * sizes
+        });
+        turns_little
+            && places.into_iter().all(|t| {
+                let between = at(from + t * length);
+                between.iter().zip(ends[0].iter().zip(&ends[1])).all(|(own, (a, b))| {
+                    let away = [0, 1].map(|c| {
+                        let (m, n) = (length * a[c + 2], length * b[c + 2]);
+                        let rise = b[c] - a[c];
+                        let bend = 3.0 * rise - 2.0 * m - n + t * (m + n - 2.0 * rise);
+                        own[c] - (a[c] + t * (m + t * bend))
+                    });
+                    away[0].hypotenuse(away[1]) <= FOLLOWED
+                })
             })
-        })
     };
     if length > WIDEST_ROWS || (length > CLOSEST_ROWS && !is_followed()) {
         let middle = from + 0.5 * length;
@@ -386,22 +391,14 @@ fn turn_direction(value: &mut RowValue) {
     (value[2], value[3]) = (-value[2], -value[3]);
 }
 
-/// Length of the arc between two points with the directions of their tangents: that of a circle, to
-/// the fourth order of their distance [m].
-pub(in crate::geometry) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T {
-    let way = [b[0] - a[0], b[1] - a[1]];
-    let chord = (way[0] * way[0] + way[1] * way[1]).sqrt();
-    let sizes = (from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]);
-    let turn = from[0] * to[1] - from[1] * to[0];
-    chord * (turn * turn / (sizes * 24.0) + 1.0)
-}
-
-/// Greatest distance of two rows; and the least one to which they are halved where cubics between
-/// them are farther from a section than that is to be followed: curvature that jumps by 1/13 mm, as
-/// on rail heads, leaves a quarter of a micrometre there [m].
-const WIDEST_ROWS: f64 = 8e-4;
+/// Greatest distance of two rows; and the least one to which they are halved where a section turns
+/// by more than that from one to the next, or cubics between them are farther from it than that is
+/// to be followed: curvature that jumps by 1/13 mm, as on rail heads, leaves a quarter of a
+/// micrometre there [m, -, m].
+const WIDEST_ROWS: f64 = 3e-3;
 const CLOSEST_ROWS: f64 = 4e-4;
 const FOLLOWED: f64 = 1e-8;
+const STRAIGHT: f64 = 0.06;
 /// Steepest row along the track, as a slope against it, and share of the rows of a part from which
 /// on the part is broken where so many are steeper: the two slices are not of the same shape, as
 /// where a nose begins.

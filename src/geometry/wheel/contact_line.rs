@@ -210,6 +210,24 @@ impl<'a, T: Real> ContactLine<'a, T> {
         [self.axle, [self.cosine, self.ahead[0], self.ahead[1]], [zero, self.down[0], self.down[1]]]
     }
 
+    /// Place along the track of the point of the line on the rolling circle at the coordinate
+    /// `axial` along the axle, where the profile has the `height` and the `slope` [m].
+    pub(in crate::geometry) fn place_on_circle(&self, axial: T, height: T, slope: T) -> T {
+        let sine = (slope * self.lead).within(-MAX_SINE, MAX_SINE);
+        self.marker[0] + axial * self.axle[0] + (height + self.nominal_radius) * self.cosine * sine
+    }
+
+    /// Place along the track of the line of a round wheel at parameter `s` [m].
+    #[must_use]
+    pub fn place(&self, s: T) -> T {
+        let p = self.profile.at(s);
+        if self.follows_rim(&p) {
+            return self.even_at(s).x;
+        }
+        let slope = p.first[1] / p.first[0].at_least(MIN_SLOPE_COSINE);
+        self.place_on_circle(p.point[0], p.point[1], slope)
+    }
+
     /// The profile of the wheel.
     pub(in crate::geometry) fn profile(&self) -> &'a Curve {
         self.profile

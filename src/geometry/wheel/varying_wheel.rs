@@ -45,8 +45,8 @@ use crate::math::real::Real;
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is
 /// looked for.
 const MIN_RATE: f64 = 0.1;
-/// Rows of which only one is looked through for the place that lies lowest.
-const STRIDE: usize = 4;
+/// Distance of rows that are looked through for the place that lies lowest [m].
+const STRIDE: f64 = 3e-3;
 /// Spacing at which it is looked through, along the nominal rolling circle [m].
 const SCAN: f64 = 2e-3;
 /// Newton steps to the place on a row, the last of them, and the longest [rad].
@@ -207,7 +207,8 @@ impl VaryingWheel {
         self.met.clear();
         let (mut before, mut looked) = (None, None);
         for j in 0..self.surface.count() {
-            let looks = looked.is_none_or(|k: usize| j - k >= STRIDE);
+            let parameter = &self.surface.rows.parameter;
+            let looks = looked.is_none_or(|k: usize| parameter[j] - parameter[k] >= STRIDE);
             let Some((here, deviation)) = self.meet(&stand, j, before, looks) else { continue };
             if looks {
                 looked = Some(j);

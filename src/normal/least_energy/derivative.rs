@@ -304,8 +304,8 @@ mod tests {
             }
         }
 
-        fn radius(&mut self, u: T) -> T {
-            u + 0.46
+        fn radius(&mut self, at: &LinePlace<T>) -> T {
+            at.u + 0.46
         }
     }
 

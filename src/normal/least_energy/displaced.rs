@@ -153,7 +153,7 @@ mod tests {
             }
         }
 
-        fn radius(&mut self, _: f64) -> f64 {
+        fn radius(&mut self, _: &LinePlace) -> f64 {
             RADIUS
         }
     }

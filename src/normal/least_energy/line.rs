@@ -29,8 +29,8 @@ pub trait OverlapLine<T: Real = f64> {
     /// At parameter `u` [m].
     fn place(&mut self, u: T) -> LinePlace<T>;
 
-    /// Radius of the normal section of the wheel along x at parameter `u`, > 0 [m].
-    fn radius(&mut self, u: T) -> T;
+    /// Radius of the normal section of the wheel along x at a place `at` the line, > 0 [m].
+    fn radius(&mut self, at: &LinePlace<T>) -> T;
 
     /// The parameter at which a body ends, which it does at the value `u`, as it moves with the
     /// bodies [m].
@@ -60,7 +60,7 @@ impl<S: Separation> OverlapLine for FrameLine<'_, S> {
         }
     }
 
-    fn radius(&mut self, _: f64) -> f64 {
+    fn radius(&mut self, _: &LinePlace) -> f64 {
         self.radius
     }
 }

@@ -112,7 +112,7 @@ impl OverlapLine for Bodies {
         }
     }
 
-    fn radius(&mut self, _: f64) -> f64 {
+    fn radius(&mut self, _: &LinePlace) -> f64 {
         self.radius
     }
 }

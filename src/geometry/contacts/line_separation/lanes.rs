@@ -26,8 +26,7 @@ const NEAR: f64 = 2e-7;
 impl LineSeparation<'_> {
     /// As [`Separation::fill`].
     pub(super) fn fill_lanes(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
-        let is_even =
-            self.lifting.is_none() && self.rail.variation().is_none() && !self.line.varies_around();
+        let is_even = self.lifting.is_none() && !self.line.varies_around();
         if is_even {
             fill_blocks(self.line, self.rail, &self.contact, us, found);
         }
@@ -88,7 +87,7 @@ fn block(
     let curvature = rail.curvature(contact.rail_s);
     let lengthening = curvature * curvature / 6.0;
     let mut s = y.map(|y| curve.within(contact.rail_s + y * (1.0 + lengthening * y * y)));
-    let mut opposite = [f64::NAN; LANES];
+    let (mut opposite, mut rail_s) = ([f64::NAN; LANES], s);
     for _ in 0..MAX_STEPS {
         let pieces = curve.pieces_at(&s);
         let mut missing = [0.0; LANES];
@@ -105,12 +104,18 @@ fn block(
             let is_near = step.abs() <= NEAR;
             let has_turned = cosine < MIN_COSINE;
             opposite[lane] = if is_near && !has_turned { at_last } else { f64::NAN };
+            rail_s[lane] = s[lane] + last;
             missing[lane] = if is_near || has_turned { 0.0 } else { 1.0 };
             // What is found stays, and is found again.
             s[lane] = if is_near { s[lane] } else { curve.within(s[lane] + step) };
         }
         if missing.iter().sum::<f64>() == 0.0 {
             break;
+        }
+    }
+    if let Some(varying) = rail.variation() {
+        for (x, s) in x.iter_mut().zip(rail_s) {
+            *x += varying.ahead(s);
         }
     }
     std::array::from_fn(|lane| SeparationPoint {

@@ -1,14 +1,15 @@
 //! Places of a row about the axle of the wheel above it, and points of the wheel opposite.
 
 use super::over::Over;
+use crate::geometry::curves::curve::CurvePoint;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
 
-/// Newton steps to a point of the profile, the longest of them, and the one over which a parabola is
-/// as good as the profile [m].
+/// Newton steps to a point of the profile, the longest of them, and the way over which its slope
+/// changes evenly [m].
 const MAX_STEPS: usize = 12;
 const LONGEST_STEP: f64 = 1e-3;
-const PARABOLA: f64 = 1e-6;
+const PARABOLA: f64 = 1e-8;
 /// Least share of its parameter by which the profile goes across: a flank that stands upright is
 /// not looked at.
 const MIN_RATE: f64 = 0.1;
@@ -35,9 +36,7 @@ pub(super) struct Polar<T> {
 impl<T: Real> Polar<T> {
     /// That of a point across the track at `place` under the wheel `over` it [m].
     pub fn of(over: &Over<T>, place: T, point: [T; 2]) -> Self {
-        let [x, y, z] = over.centre;
-        let to = [place - x, point[0] - y, point[1] - z];
-        let [axial, forward, below] = over.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2]);
+        let [axial, forward, below] = over.about_axle(place, point);
         let radius = (forward * forward + below * below).sqrt();
         Self { axial, radius, sine: forward / radius, cosine: below / radius }
     }
@@ -101,54 +100,64 @@ impl<T: Real> Raised<T> {
     }
 }
 
-/// A point of the profile of the wheel.
+/// The point of the profile of the wheel at a coordinate along the axle.
 #[derive(Clone, Copy)]
 pub(super) struct OnProfile<T> {
+    /// Its parameter [m].
+    pub s: T,
     /// Distance from the axle [m].
     pub radius: T,
     /// dr/dt, d²r/dt² and one over dt/ds.
     pub slope: T,
     pub bend: T,
     pub rate: T,
-    /// How far it is beside the axial coordinate that it is to have [m].
-    pub missing: T,
 }
 
 impl<T: Real> OnProfile<T> {
-    /// That of the wheel of `line` at the parameter `s`, for the coordinate `axial` [m].
+    /// That of the wheel of `line` at the coordinate `axial`, to which the parameter `s` belongs
+    /// [m].
     pub fn at(line: &ContactLine<T>, s: T, axial: T) -> Self {
-        let p = line.profile().at(s);
+        Self::beside(line, s, axial, &line.profile().at(s))
+    }
+
+    /// The same by the point `p` of the profile at the parameter `s` beside; the wheel goes on level
+    /// where it ends.
+    fn beside(line: &ContactLine<T>, s: T, axial: T, p: &CurvePoint<T>) -> Self {
         let rate = T::from(1.0) / p.first[0];
         let slope = p.first[1] * rate;
         let bend = (p.second[1] - slope * p.second[0]) * rate * rate;
+        let missing = axial - p.point[0];
+        let is_near = missing.value().abs() <= PARABOLA;
+        let missing = if is_near { missing } else { T::from(0.0) };
         Self {
-            radius: p.point[1] + line.nominal_radius(),
-            slope,
+            s: s + missing * rate,
+            radius: p.point[1] + line.nominal_radius() + missing * (slope + missing * bend * 0.5),
+            slope: slope + missing * bend,
             bend,
             rate,
-            missing: axial - p.point[0],
         }
     }
 }
 
-/// The parameter of the profile of `line` whose axial coordinate is `axial`, sought near `s` [m];
-/// an end of the profile where that is beside it, nothing where it stands upright.
-pub(super) fn parameter_at<T: Real>(line: &ContactLine<T>, axial: f64, mut s: f64) -> Option<f64> {
-    let [start, end] = line.range();
-    for _ in 0..MAX_STEPS {
-        let p = line.profile().at(s);
-        if p.first[0] < MIN_RATE {
-            return None;
+impl OnProfile<f64> {
+    /// That of the wheel of `line` at the coordinate `axial`, sought near the parameter `s` [m]; the
+    /// end of the profile where that is beside it, nothing where it stands upright.
+    pub fn find(line: &ContactLine, axial: f64, s: f64) -> Option<Self> {
+        let profile = line.profile();
+        let mut s = profile.within(s);
+        for _ in 0..MAX_STEPS {
+            let p = profile.at(s);
+            if p.first[0] < MIN_RATE {
+                return None;
+            }
+            let missing = axial - p.point[0];
+            let step = missing / p.first[0];
+            let next = profile.within(s + step.clamp(-LONGEST_STEP, LONGEST_STEP));
+            if missing.abs() <= PARABOLA || (next - s).abs() <= 0.0 {
+                return Some(Self::beside(line, s, axial, &p));
+            }
+            s = next;
         }
-        let step = (axial - p.point[0]) / p.first[0];
-        if step.abs() < PARABOLA {
-            return Some(s + step - 0.5 * step * step * p.second[0] / p.first[0]);
-        }
-        let next = (s + step.clamp(-LONGEST_STEP, LONGEST_STEP)).clamp(start, end);
-        if next <= start || next >= end {
-            return Some(next);
-        }
-        s = next;
+        None
     }
-    None
 }

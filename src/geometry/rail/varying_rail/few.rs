@@ -26,6 +26,8 @@ const SAMPLE: f64 = 2e-4;
 pub(super) struct Few {
     /// Their numbers.
     pub rows: Vec<usize>,
+    /// How far the rows between each of them and those beside it go beside cubics [m].
+    pub edges: Vec<f64>,
     /// By rows: how far those up to the next one of the few go beside the cubic between both on any
     /// slice, at most [m].
     ripples: Vec<f64>,
@@ -101,7 +103,9 @@ impl Few {
         for pair in few.windows(2) {
             ripples[pair[0]] = ripple_between(rows, [pair[0], pair[1]]);
         }
-        Self { rows: few, ripples, of_wheel }
+        let beside = |k: usize| ripples[few[k]].max(if k > 0 { ripples[few[k - 1]] } else { 0.0 });
+        let edges = (0..few.len()).map(beside).collect();
+        Self { rows: few, edges, ripples, of_wheel }
     }
 
     /// Whether any row from one of the few to the next one may be near a wheel that was lowered by
@@ -111,14 +115,17 @@ impl Few {
         let nearest = a.min(b);
         let opposite = from.opposite.zip(to.opposite);
         let goes_on = (from.x - to.x).abs() < TREND && rows.parts[from.row] == rows.parts[to.row];
-        let Some(([u, _], [v, _])) = opposite.filter(|_| goes_on) else { return nearest < NEAR };
+        let Some((a_side, b_side)) = opposite.filter(|_| goes_on) else {
+            return nearest - self.ripples[from.row] < NEAR;
+        };
         let length = rows.parameter[to.row] - rows.parameter[from.row];
         // A cubic is nowhere farther below the straight line between its ends.
         let rise = (b - a) / length;
         let sag = 4.0 / 27.0
             * length
             * ((rise - from.gap.growth).max(0.0) + (to.gap.growth - rise).max(0.0));
-        nearest - sag < BESIDE + self.ripples[from.row] + self.of_wheel.between([u, v])
+        nearest - sag
+            < BESIDE + self.ripples[from.row] + self.of_wheel.between([a_side.s, b_side.s])
     }
 }
 

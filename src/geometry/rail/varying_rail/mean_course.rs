@@ -1,7 +1,7 @@
 //! The mean course of the rows of a rail near a wheel.
 //!
-//! Each row goes by its chord over a finger's breadth about the place at which it would be met if
-//! it went along the track, and weighs by how near it is to the wheel there,
+//! Each of some rows goes by its chord over a finger's breadth about the place at which it would be
+//! met if it went along the track, and weighs by how near it is to the wheel there,
 //!
 //! ```text
 //! w = exp(-(g - min g)/h)
@@ -13,10 +13,8 @@
 //! the rail, and rows that come within reach do so far below the wheel, so that the mean is a
 //! smooth function of the pose.
 
-use super::about_axle::{OnProfile, Polar, parameter_at};
+use super::about_axle::Polar;
 use super::over::Over;
-use super::touch::CLOSE;
-use super::wheel_table::WheelTable;
 use crate::geometry::curves::curve::Curve;
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::plane::dot;
@@ -28,9 +26,13 @@ use crate::math::real::Real;
 /// Half of a chord [m].
 const CHORD: f64 = 0.01;
 /// Distance h over which a row weighs less, by e [m], and multiples of it beyond which it does not
-/// count: by a weight of 1e-7 the mean turns by 1e-9 at most.
+/// count: by a weight of 1e-7 the mean turns by 1e-9 at most. How much nearer than straight below
+/// the axle a row may be where it is met, by which it is looked at [m].
 const FADES: f64 = 5e-4;
 const FARTHEST: f64 = 16.0;
+const NEARER: f64 = 4e-3;
+/// Distance of the samples of the wheel [m].
+const SAMPLE: f64 = 1e-3;
 /// How far the rows may go apart, by their standard deviation, so that half of their course counts:
 /// rails that drift by as much are right in the axes of the track [-].
 const APART: f64 = 0.01;
@@ -38,31 +40,69 @@ const APART: f64 = 0.01;
 /// How the rows of a rail go.
 #[derive(Clone, Debug)]
 pub(super) struct Courses {
+    /// The rows that tell.
+    rows: Vec<usize>,
     /// For each slice the number of slices up to it before which any row drifts or rises.
     turns: Vec<u32>,
-    /// The even wheel that is to meet them.
-    wheel: WheelTable,
+    wheel: EvenWheel,
 }
 
-/// Course and nearness of one row, and where it is met.
+/// The even wheel that is to meet the rows: heights of its profile across [m].
+#[derive(Clone, Debug)]
+struct EvenWheel {
+    start: f64,
+    heights: Vec<f64>,
+}
+
+impl EvenWheel {
+    /// That with the `profile`, of which the lowest point counts where it stands upright.
+    fn new(profile: &Curve) -> Self {
+        let count = ((profile.end() - profile.start()) / (0.1 * SAMPLE)).ceil();
+        let at = |i: usize| profile.start() + (profile.end() - profile.start()) * i as f64 / count;
+        let points: Vec<[f64; 2]> = (0..=count as usize).map(|i| profile.at(at(i)).point).collect();
+        let ys = points.iter().map(|p| p[0]);
+        let [start, end] = ys.fold([f64::MAX, f64::MIN], |[a, b], y| [a.min(y), b.max(y)]);
+        let mut heights = vec![f64::MIN; ((end - start) / SAMPLE) as usize + 1];
+        for pair in points.windows(2) {
+            let [a, b] = [pair[0], pair[1]];
+            let [from, to] = [a[0].min(b[0]), a[0].max(b[0])].map(|y| (y - start) / SAMPLE);
+            for k in from.ceil() as usize..=(to as usize).min(heights.len() - 1) {
+                let share = (k as f64 * SAMPLE + start - a[0]) / (b[0] - a[0]);
+                let height = a[1] + share.clamp(0.0, 1.0) * (b[1] - a[1]);
+                heights[k] = heights[k].max(height);
+            }
+        }
+        Self { start, heights }
+    }
+
+    /// Its height and slope at the coordinate `y` along the axle, by cubics between the samples,
+    /// and how far it is beside the wheel [m].
+    fn at<T: Real>(&self, y: T) -> ([T; 2], T) {
+        let last = self.heights.len() - 1;
+        let place = (y - self.start) / SAMPLE;
+        let inside = place.within(0.0, last as f64);
+        let k = (inside.value() as usize).min(last - 1);
+        let [before, a, b, behind] =
+            [k.saturating_sub(1), k, k + 1, (k + 2).min(last)].map(|k| self.heights[k]);
+        let (t, rise) = (inside - k as f64, b - a);
+        let (m, n) = (0.5 * (b - before), 0.5 * (behind - a));
+        let (c2, c3) = (3.0 * rise - 2.0 * m - n, m + n - 2.0 * rise);
+        let height = t * (t * (t * c3 + c2) + m) + a;
+        let slope = (t * (t * (3.0 * c3) + 2.0 * c2) + m) / SAMPLE;
+        ([height, slope], (place - inside).abs() * SAMPLE)
+    }
+}
+
+/// Course and nearness of one row.
 struct RowCourse<T> {
     gap: T,
     rates: [T; 2],
-    met: Beside<T>,
-}
-
-/// Where a row is met: along the track and along the axle [m], and the parameter of the wheel
-/// opposite.
-#[derive(Clone, Copy)]
-struct Beside<T> {
-    x: T,
-    axial: f64,
-    u: f64,
 }
 
 impl Courses {
-    /// Those of the rows of `surface` under a wheel with the profile `wheel`.
-    pub fn new(surface: &Surface, wheel: &Curve) -> Self {
+    /// Those of the rows of `surface` under a wheel with the profile `wheel`, by every third one of
+    /// a `few` of them.
+    pub fn new(surface: &Surface, few: &[usize], wheel: &Curve) -> Self {
         let rows = &surface.rows;
         let count = surface.count();
         let mut turns = vec![0; rows.places.len()];
@@ -78,7 +118,8 @@ impl Courses {
             });
             turns[i] = turns[i - 1] + u32::from(turning);
         }
-        Self { turns, wheel: WheelTable::new(wheel, std::iter::empty()) }
+        let rows = few.iter().copied().step_by(3).collect();
+        Self { rows, turns, wheel: EvenWheel::new(wheel) }
     }
 
     /// Whether any row within reach of a wheel at `station` [m] drifts or rises.
@@ -91,12 +132,10 @@ impl Courses {
     }
 
     /// Axes along the rows near the wheel of the even `line` that stands at `pose` above `station`
-    /// [m], as a few `rows` tell, which are at least as far below it as their `lows` say; nothing
-    /// where these do not drift or rise.
+    /// [m]; nothing where these do not drift or rise.
     pub fn near<T: Real>(
         &self,
         surface: &Surface,
-        (rows, lows): (&[usize], &[f64]),
         line: &ContactLine<T>,
         pose: &WheelPose<T>,
         station: T,
@@ -106,15 +145,9 @@ impl Courses {
         }
         let within = surface.within(station.value());
         let over = Over::new(line, pose, station, within);
-        // The row that may be nearest tells which ones need not be looked at.
-        let course_of = |j: usize, beside| own(surface, &self.wheel, &over, (j, beside));
-        let rows = rows.iter().copied().zip(lows);
-        let (first, _) = rows.clone().min_by(|a, b| a.1.total_cmp(b.1))?;
-        let near = course_of(first, None).map_or(f64::INFINITY, |row| row.gap.value());
-        let (mut sums, mut beside) = (Sums { least: f64::INFINITY, ..Sums::default() }, None);
-        for (j, _) in rows.filter(|(_, low)| **low < near + FARTHEST * FADES) {
-            if let Some(row) = course_of(j, beside) {
-                beside = Some(row.met);
+        let mut sums = Sums { least: f64::INFINITY, ..Sums::default() };
+        for &j in &self.rows {
+            if let Some(row) = own(surface, &self.wheel, &over, j, sums.least) {
                 sums.add(&row);
             }
         }
@@ -167,14 +200,15 @@ impl<T: Real> Sums<T> {
     }
 }
 
-/// Row `j` where the contact line of the wheel `over` it would meet it along the track, by its
-/// `table` and where the row `beside` is met; nothing where the row is not there or the wheel stands
-/// upright.
+/// Row `j` about where the contact line of the wheel `over` it would meet it along the track; nothing
+/// where the row is not there, or so far below that it does not count beside one that is by `least`
+/// [m].
 fn own<T: Real>(
     surface: &Surface,
-    table: &WheelTable,
+    wheel: &EvenWheel,
     over: &Over<T>,
-    (j, beside): (usize, Option<Beside<T>>),
+    j: usize,
+    least: f64,
 ) -> Option<RowCourse<T>> {
     let (slice, station) = (over.within.slice, over.station);
     let run = surface.run(j, station.value(), slice)?;
@@ -189,18 +223,14 @@ fn own<T: Real>(
             x
         }
     };
-    // Opposite to the row where that beside it is met; where it would be met; opposite to it there.
-    let x = clamped(beside.map_or(T::from(0.0), |b| b.x));
-    let Polar { axial, .. } = Polar::of(over, x, at(x));
-    let near = beside.filter(|b| (b.axial - axial.value()).abs() < CLOSE);
-    let u = match near {
-        Some(near) => near.u + axial.value() - near.axial,
-        None => table.parameter(axial.value())?,
-    };
-    let [s, _] = opposite(over, axial, u)?;
-    let x = clamped(over.line().even_at(s).x);
-    let Polar { axial, radius: distance, .. } = Polar::of(over, x, at(x));
-    let [s, radius] = opposite(over, axial, s.value())?;
+    let below = clamped(T::from(0.0));
+    let [axial, _, depth] = over.about_axle(below, at(below));
+    let ([height, slope], beside) = wheel.at(axial);
+    let gap = depth - height - over.nominal_radius() + beside;
+    if gap.value() > least + FARTHEST * FADES + NEARER {
+        return None;
+    }
+    let x = over.line().place_on_circle(axial, height, slope);
     let [a, b] = [x - CHORD, x + CHORD].map(clamped);
     let length = b - a;
     if length.value() <= 0.0 {
@@ -208,14 +238,8 @@ fn own<T: Real>(
     }
     let [p, q] = [a, b].map(at);
     let rates = [0, 1].map(|c| (q[c] - p[c]) / length);
-    let met = Beside { x, axial: axial.value(), u: s.value() };
-    Some(RowCourse { gap: distance - radius, rates, met })
-}
-
-/// Parameter of the wheel, and its radius, at a coordinate along the axle, sought near the parameter
-/// `u` [m]; nothing where it stands upright.
-fn opposite<T: Real>(over: &Over<T>, axial: T, u: f64) -> Option<[T; 2]> {
-    let found = parameter_at(over.line(), axial.value(), u)?;
-    let on = OnProfile::at(over.line(), found.into(), axial);
-    Some([on.missing * on.rate + found, on.radius + on.missing * on.slope])
+    let middle = [0, 1].map(|c| (p[c] + q[c]) * 0.5);
+    let Polar { axial, radius, .. } = Polar::of(over, (a + b) * 0.5, middle);
+    let ([height, _], beside) = wheel.at(axial);
+    Some(RowCourse { gap: radius - height - over.nominal_radius() + beside, rates })
 }

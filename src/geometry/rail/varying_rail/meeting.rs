@@ -2,7 +2,7 @@
 
 use super::few::{Few, NEAR};
 use super::over::Over;
-use super::touch::{Start, Touch};
+use super::touch::Touch;
 use super::trend::Trend;
 use crate::geometry::sections::rows::met::Met;
 use crate::math::fixed_vec::FixedVec;
@@ -50,6 +50,7 @@ impl Meeting {
             met.push(*here);
             trend.follow(here);
             let next = wide.get(k + 1);
+            let next = next.filter(|next| next.row > here.row + 1);
             let next = next.filter(|next| few.is_near(rows, [here, next], least));
             let Some(next) = next else { continue };
             for j in here.row + 1..next.row {
@@ -66,9 +67,10 @@ impl Meeting {
     /// nearest.
     fn meet_few(&mut self, touch: &Touch, few: &Few, over: &Over) {
         let Self { lows, wide, .. } = self;
+        let parameter = &touch.surface.rows.parameter;
         let rows = few.rows.iter().copied().zip(lows.iter().copied());
         let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
-        let nearest = first.and_then(|(j, _)| touch.meet(over, j, Start::default(), true));
+        let nearest = first.and_then(|(j, _)| touch.meet(over, j, None, true));
         let nearest = nearest.filter(|met| met.opposite.is_some());
         let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
         wide.clear();
@@ -85,7 +87,7 @@ impl Meeting {
             let found = if low > far {
                 touch.aside(over, j)
             } else {
-                touch.meet(over, j, trend.beside(), true)
+                touch.meet(over, j, trend.start(parameter, j), true)
             };
             let Some(mut found) = found else { continue };
             if found.opposite.is_none() {

@@ -9,8 +9,6 @@ use crate::geometry::wheel::contact_line::{ContactLine, Followed};
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
 
-/// How far below the wheel rows surely stay of which a few are enough: nothing touches there [m].
-const APART: f64 = 3e-4;
 /// Steepest flank of any wheel [-].
 const STEEPEST_FLANK: f64 = 3.0;
 /// Newton steps to a point of the contact line, and one over which nothing changes [m].
@@ -76,7 +74,7 @@ impl<'a, T: Real> Over<'a, T> {
             down: [-sine, cosine],
             waves: None,
             course: None,
-            margin: [CELL + yawed, APART + 0.5 * STEEPEST_FLANK * yawed],
+            margin: [CELL + yawed, 0.5 * STEEPEST_FLANK * yawed],
             station,
             within,
         }
@@ -93,6 +91,13 @@ impl<'a, T: Real> Over<'a, T> {
         let centre = seen.on_rail(self.centre);
         let axes = self.axes.map(|axis| seen.direction_on_rail(axis));
         Self { centre, axes, course, ..self }
+    }
+
+    /// A point across the track at `place` by its parts along the axle, forward and down, from the
+    /// wheel marker [m].
+    pub fn about_axle(&self, place: T, [y, z]: [T; 2]) -> [T; 3] {
+        let to = [place - self.centre[0], y - self.centre[1], z - self.centre[2]];
+        self.axes.map(|a| a[0] * to[0] + a[1] * to[1] + a[2] * to[2])
     }
 
     /// How a row goes on at the `place` along the track [m], where it is at the `point`.
@@ -155,12 +160,6 @@ impl<'a, T: Real> Over<'a, T> {
     /// Radius of the nominal rolling circle [m].
     pub fn nominal_radius(&self) -> f64 {
         self.line.nominal_radius()
-    }
-
-    /// A vector by its parts along the axle, forward and down in the axes of the track.
-    pub fn in_space(&self, [side, ahead, below]: [T; 3]) -> [T; 3] {
-        let [axle, forward, down] = self.axes;
-        [0, 1, 2].map(|i| axle[i] * side + forward[i] * ahead + down[i] * below)
     }
 
     /// Where a point across the track at `place` is in the axes of the outline [m].

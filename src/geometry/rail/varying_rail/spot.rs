@@ -28,10 +28,10 @@
 //!
 //! with e the direction down in the plane of the rolling circles.
 
-use super::about_axle::{OnProfile, Parts, Polar, Raised, parameter_at};
+use super::about_axle::{OnProfile, Parts, Polar, Raised};
 use super::over::{Over, Way};
 use crate::geometry::sections::rows::along::Along;
-use crate::geometry::sections::rows::met::{Gap, Met};
+use crate::geometry::sections::rows::met::{Gap, Met, Opposite};
 use crate::geometry::sections::rows::plane::dot;
 use crate::geometry::sections::rows::surface::{RowPoint, Surface};
 use crate::math::real::Real;
@@ -60,18 +60,13 @@ pub(super) struct Spot<T = f64> {
     /// Place along the track [m], and the row there.
     pub place: T,
     pub point: RowPoint<T>,
-    /// Parameter of the profile of the wheel [m].
-    pub s: T,
     /// h, its derivative along the track and that of it [m, -, 1/m].
     pub gap: T,
     pub slope: T,
     pub bend: T,
-    /// The step along the track to where the bodies are nearest, if it is so short that all goes
-    /// along with it evenly [m].
-    pub rest: T,
-    /// cos γ, and the derivatives of p by the place in space, in the axes of the track.
+    /// cos γ, and by how much the wheel gets larger along the axle and around.
     cosine: T,
-    normal: [T; 3],
+    grows: [T; 2],
     polar: Polar<T>,
     profile: OnProfile<T>,
     raised: Raised<T>,
@@ -84,34 +79,33 @@ impl<T: Real> Spot<T> {
     pub fn at(over: &Over<T>, row: &Row, place: T, s: T) -> Self {
         let point = row.at(over, place);
         let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
-        Self::opposite(over, place, point, polar, s)
+        let profile = OnProfile::at(over.line(), s, polar.axial);
+        Self::opposite(over, place, point, polar, profile)
     }
 
-    fn opposite(over: &Over<T>, place: T, point: RowPoint<T>, polar: Polar<T>, s: T) -> Self {
+    fn opposite(
+        over: &Over<T>,
+        place: T,
+        point: RowPoint<T>,
+        polar: Polar<T>,
+        profile: OnProfile<T>,
+    ) -> Self {
         let raised = Raised::at(over, &polar);
-        let profile = OnProfile::at(over.line(), s, polar.axial);
         let along = polar.parts(over, [T::from(1.0), point.first[0], point.first[1]]);
         let turn = polar.parts_across(over, point.second);
         let around = along.around / polar.radius;
-        let rise = along.radial - raised.slope * along.around;
         let turned = turn.radial + along.around * around
             - raised.bend * along.around * along.around
             - raised.slope * (turn.around - along.radial * around * 2.0);
-        let cosine = T::from(1.0) / (profile.slope * profile.slope + 1.0).sqrt();
-        let (out, side) = (cosine, -(profile.slope * cosine));
-        let around = -(raised.slope * cosine);
-        let ahead = out * polar.sine + around * polar.cosine;
-        let below = out * polar.cosine - around * polar.sine;
+        let grows = [profile.slope, raised.slope];
         Self {
             place,
             point,
-            s,
             gap: polar.radius - raised.height - profile.radius,
-            slope: rise - profile.slope * along.axial,
+            slope: apart(along, grows),
             bend: turned - profile.slope * turn.axial - profile.bend * along.axial * along.axial,
-            rest: T::from(0.0),
-            cosine,
-            normal: over.in_space([side, ahead, below]),
+            cosine: T::from(1.0) / (profile.slope * profile.slope + 1.0).sqrt(),
+            grows,
             polar,
             profile,
             raised,
@@ -119,42 +113,38 @@ impl<T: Real> Spot<T> {
         }
     }
 
-    /// How far the point of the profile is beside the row along the axle [m], and the slope of the
-    /// gap: where both vanish the wheel meets the row.
-    pub fn equations(&self) -> [T; 2] {
-        [self.profile.missing, self.slope]
+    /// Parameter of the profile about opposite after a `way` along the track [m].
+    pub fn parameter_after(&self, way: T) -> T {
+        self.profile.s + way * self.along.axial * self.profile.rate
     }
 
-    /// Derivatives of both by the place and by the parameter of the profile.
-    pub fn rates(&self) -> [[T; 2]; 2] {
-        let Self { profile, along: Parts { axial, .. }, .. } = self;
-        let bent = profile.bend * *axial;
-        [
-            [*axial, T::from(-1.0) / profile.rate],
-            [self.bend + bent * *axial, -(bent / profile.rate)],
-        ]
+    /// The Newton step along the track to where the bodies are nearest [m].
+    pub fn rest(&self, over: &Over<T>) -> T {
+        -self.slope / self.bend.at_least(MIN_BEND / over.nominal_radius())
     }
 
-    /// Row `number` as it is met here, where the row ends if it `is_held`.
-    pub fn met(&self, over: &Over<T>, number: usize, is_held: bool) -> Met<T> {
-        let Self { point, polar, profile, raised, along, normal: space, rest, .. } = self;
-        let place = self.place + *rest;
-        let Way { x, rate, first: before, second } = over.way(place, point);
-        let first = [0, 1].map(|i| before[i] + *rest * rate * second[i]);
-        let here = self.seen(over);
-        let here = [0, 1].map(|i| here[i] + *rest * rate * before[i]);
-        let s = self.s + *rest * along.axial * profile.rate;
+    /// Row `number` as it is met the way `rest` along the track from here [m], so short that all
+    /// goes along with it evenly; here, where the row ends, if nothing is left.
+    pub fn met(&self, over: &Over<T>, number: usize, rest: Option<T>) -> Met<T> {
+        let Self { point, polar, profile, raised, along, .. } = self;
+        let way = rest.unwrap_or_default();
+        let Way { x, rate, first: before, second } = over.way(self.place, point);
+        let step = way * rate;
+        let first = [0, 1].map(|i| before[i] + step * second[i]);
+        let here = over.beside(self.place, [point.value[0], point.value[1]]);
+        let here = [0, 1].map(|i| here[i] + step * (before[i] + first[i]) * 0.5);
+        let aside = way * along.axial;
+        let (s, steeper) = (profile.s + aside * profile.rate, aside * profile.bend);
+        let slope = profile.slope + steeper;
+        let cosine = self.cosine * (-(profile.slope * steeper * self.cosine * self.cosine) + 1.0);
         let (line, straight) = over.opposite(here, s);
         let [dy, dz] = line.derivative;
         let size = T::from(1.0) / (dy * dy + dz * dz).sqrt();
         let tangent = [dy * size, dz * size];
         let normal = [-tangent[1], tangent[0]];
         let share = dot(normal, over.down);
-        let slope = profile.slope + *rest * profile.bend * along.axial;
-        let steep = |slope: T| (slope * slope + 1.0).sqrt();
-        let cosine = self.cosine * steep(profile.slope) / steep(slope);
-        let apart = (self.gap + *rest * self.slope * 0.5) * cosine / line.cosine;
-        let lower = (apart - straight) / dot(line.radial, over.down);
+        let nearest = self.gap + way * self.slope * 0.5;
+        let lower = (nearest * cosine / line.cosine - straight) / dot(line.radial, over.down);
         // From row to row: how the gap grows, how its slope does, by how much the place of touch
         // moves along the rows with that, and the outline with it.
         let [_, _, y, z] = point.value;
@@ -163,31 +153,31 @@ impl<T: Real> Spot<T> {
         let turn = twist.radial - profile.slope * twist.axial
             + along.around * across.around * (T::from(1.0) / polar.radius - raised.bend)
             - profile.bend * along.axial * across.axial;
-        let growth = ((space[1] * y + space[2] * z) / self.cosine + *rest * turn) * cosine;
-        let moved = if is_held {
-            T::from(0.0)
-        } else {
-            -turn / self.bend.at_least(MIN_BEND / over.nominal_radius())
-        };
-        let on = over.across([moved, moved * point.first[0] + y, moved * point.first[1] + z]);
+        let growth = (apart(across, self.grows) + way * turn) * cosine;
+        let moved = rest
+            .map_or(T::from(0.0), |_| -turn / self.bend.at_least(MIN_BEND / over.nominal_radius()));
+        let on = [0, 1].map(|i| {
+            let along = point.first[i] + way * point.second[i];
+            moved * along + point.value[2 + i] + way * point.first[2 + i]
+        });
+        let on = over.across([moved, on[0], on[1]]);
         let sideways =
             (dot(on, over.right) - dot(normal, over.right) * growth) / dot(tangent, over.right);
         let (lean, drift) = (-dot(normal, first), dot(tangent, first));
         // The section of the wheel along the outline's axes.
         let [axle, forward, _] = over.line().axes();
-        let fall = (profile.slope * axle[0] - polar.sine * forward[0]) / polar.cosine;
-        let across = profile.slope * axle[0];
+        let sine = polar.sine + way * along.around * polar.cosine / polar.radius;
+        let fall = (slope * axle[0] - sine * forward[0]) / polar.cosine;
+        let skew = slope * axle[0];
         let radius = (profile.radius + raised.height) * polar.cosine;
-        let section = (forward[0] * forward[0] + fall * fall - across * across)
+        let section = (forward[0] * forward[0] + fall * fall - skew * skew)
             / (radius * (fall * fall + 1.0).three_halves());
-        let sine = polar.sine + *rest * along.around * polar.cosine / polar.radius;
-        let aside = self.gap * forward[0] * sine;
-        let along = Along {
-            ahead: x - aside - line.at.x,
+        let met = Along {
+            ahead: x + step - self.gap * forward[0] * sine - line.at.x,
             curvature: dot(normal, second) + line.curvature * drift * drift,
             lean,
             drift,
-            gap: if is_held { self.slope * self.cosine / rate } else { T::from(0.0) },
+            gap: rest.map_or_else(|| self.slope * self.cosine / rate, |_| T::from(0.0)),
             raised: raised.height,
             lever: raised.by_arc * polar.cosine * forward[0] * over.nominal_radius(),
             bulge: share * (section - line.section),
@@ -195,23 +185,28 @@ impl<T: Real> Spot<T> {
         };
         let height = (dot(here, over.down) + lower) - dot(line.at.point, over.down);
         let gap = Gap { height: height.value(), share: share.value(), growth: growth.value() };
+        let opposite = Opposite {
+            place: self.place.value(),
+            s: profile.s.value(),
+            axial: polar.axial.value(),
+            rest: way.value(),
+        };
         Met {
             row: number,
             point: [0, 1].map(|i| here[i] + over.down[i] * lower),
             direction: [0, 1].map(|i| tangent[i] * sideways + normal[i] * growth),
-            place,
-            x,
+            x: x + step,
             gap,
-            along,
-            opposite: Some([s, polar.axial + *rest * self.along.axial]),
+            along: met,
+            opposite: Some(opposite),
         }
     }
+}
 
-    /// Where the row is across, in the axes of the outline [m].
-    fn seen(&self, over: &Over<T>) -> [T; 2] {
-        let [y, z, ..] = self.point.value;
-        over.beside(self.place, [y, z])
-    }
+/// How fast the gap along the radius grows in a direction, where the wheel `grows` along the axle and
+/// around.
+fn apart<T: Real>(direction: Parts<T>, grows: [T; 2]) -> T {
+    direction.radial - grows[0] * direction.axial - grows[1] * direction.around
 }
 
 impl<T: Real> Over<'_, T> {
@@ -233,7 +228,6 @@ impl<T: Real> Over<'_, T> {
             row: number,
             point: [0, 1].map(|i| here[i] + lower * self.down[i]),
             direction,
-            place,
             x,
             gap: Gap { height: f64::INFINITY, share: 1.0, growth: 0.0 },
             ..Met::default()
@@ -253,54 +247,53 @@ impl Spot {
     ) -> Option<Self> {
         let point = row.at(over, place);
         let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
-        let s = parameter_at(over.line(), polar.axial, near(polar.axial)?)?;
-        let spot = Self::opposite(over, place, point, polar, s);
+        let profile = OnProfile::find(over.line(), polar.axial, near(polar.axial)?)?;
+        let spot = Self::opposite(over, place, point, polar, profile);
         if over.varies_around() { spot.around(over) } else { Some(spot) }
     }
 
     /// The same place opposite to a wheel whose section varies around.
     fn around(self, over: &Over) -> Option<Self> {
         let Polar { sine, cosine, .. } = self.polar;
-        let found = over.line().along_radius(self.polar.place(), [self.s, -self.gap])?;
+        let found = over.line().along_radius(self.polar.place(), [self.s(), -self.gap])?;
         let Raised { height, slope, .. } = self.raised;
         let gap = -found.depth - height;
-        let [_, ahead, below] = found.normal;
+        let [side, ahead, below] = found.normal;
         let facing = ahead * sine + below * cosine;
-        let normal = over.in_space(found.normal);
-        let [y, z] = [self.point.first[0], self.point.first[1]];
-        let rise = (normal[0] + normal[1] * y + normal[2] * z) / facing;
+        let around = ahead * cosine - below * sine;
+        let grows = [-side / facing, slope - around / facing];
         Some(Self {
-            s: found.s,
             gap,
-            slope: rise - slope * self.along.around,
+            slope: apart(self.along, grows),
             cosine: facing,
-            normal,
+            grows,
+            profile: OnProfile { s: found.s, ..self.profile },
             raised: Raised { height: height + self.gap - gap, ..self.raised },
             ..self
         })
     }
 
     /// Row `number` as it is met here: of a wheel whose section varies around by how that goes on.
-    pub fn found(&self, over: &Over, number: usize, is_held: bool) -> Met {
-        let met = self.met(over, number, is_held);
+    pub fn found(&self, over: &Over, number: usize, rest: Option<f64>) -> Met {
+        let met = self.met(over, number, rest);
         if !over.varies_around() {
             return met;
         }
         let line = over.line();
         // At the point of the wheel that is opposite.
-        let across = over.seen_from_marker(line.even_at(self.s).point);
+        let across = over.seen_from_marker(line.even_at(self.s()).point);
         let [y, z] = [over.right, over.down].map(|axis| dot(across, axis));
         let beside = over.beside_marker(y);
-        let below = |x: f64| line.wheel_below(x, beside, [over.right, over.down], [self.s, z]);
+        let below = |x: f64| line.wheel_below(x, beside, [over.right, over.down], [self.s(), z]);
         let on_line = met.x - met.along.ahead;
         let (Some(here), Some(there)) = (below(met.x), below(on_line)) else { return met };
         let [here_bent, there_bent] =
             [here, there].map(|b| -b.bend / (b.slopes[0] * b.slopes[0] + 1.0).three_halves());
         // How far the wheel is beyond the circle of its contact line there, and the round one beyond
         // its own.
-        let ahead = line.ahead_of_round(self.s);
+        let ahead = line.ahead_of_round(self.s());
         let beyond = |away: f64, depth: f64| (away * away + depth * depth).sqrt() - z;
-        let round = line.round_below(met.x, y, self.s);
+        let round = line.round_below(met.x, y, self.s());
         let round = round.map_or(0.0, |depth| beyond(met.x - on_line + ahead, depth));
         let along = Along {
             raised: beyond(met.x - on_line, here.depth) - round,
@@ -322,18 +315,18 @@ impl Spot {
         if !over.varies_around() {
             return straight;
         }
-        let found = over.line().along_radius(polar.place(), [self.s, -straight]);
+        let found = over.line().along_radius(polar.place(), [self.s(), -straight]);
         found.map_or(straight, |found| -found.depth - raised)
+    }
+
+    /// Parameter of the wheel opposite [m].
+    pub fn s(&self) -> f64 {
+        self.profile.s
     }
 
     /// Coordinate of the row along the axle [m].
     pub fn axial(&self) -> f64 {
         self.polar.axial
-    }
-
-    /// Parameter of the profile about opposite after a `way` along the track [m].
-    pub fn parameter_after(&self, way: f64) -> f64 {
-        self.s + way * self.along.axial * self.profile.rate
     }
 
     /// By how much the wheel is larger here than the round one [m].

@@ -4,7 +4,7 @@ use super::bounds::{Bounds, LARGEST};
 use super::over::Over;
 use super::spot::{MIN_BEND, Row, Spot};
 use super::wheel_table::WheelTable;
-use crate::geometry::sections::rows::met::Met;
+use crate::geometry::sections::rows::met::{Met, Opposite};
 use crate::geometry::sections::rows::surface::Surface;
 use crate::math::real::Real;
 
@@ -17,16 +17,6 @@ const LONGEST_STEP: f64 = 0.02;
 const LAST_STEP: f64 = 1e-11;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
 const SCAN: f64 = 4e-3;
-
-/// Where a row is sought.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Start {
-    /// Along the track [m].
-    pub place: f64,
-    /// Parameter of the wheel about opposite, and the coordinate along the axle that it belongs to;
-    /// if known [m].
-    pub opposite: Option<[f64; 2]>,
-}
 
 /// A rail and the wheel that is looked for.
 pub(super) struct Touch<'a> {
@@ -45,34 +35,42 @@ impl Touch<'_> {
     /// Row `j` as it is under the axle; nothing where it is not there.
     pub fn aside(&self, over: &Over, j: usize) -> Option<Met> {
         let row = self.row(over, j)?;
-        let [from, to] = over.reach(self.surface, row.run)?;
-        let place = 0.0_f64.clamp(from, to);
+        let ends = over.reach(self.surface, row.run)?;
+        let place = straight_below(ends);
         let point = row.at(over, place);
         Some(over.aside(j, place, &point))
     }
 
-    /// Where the wheel meets row `j`, sought from `start`; nothing where the row is not there.
-    pub fn meet(&self, over: &Over, j: usize, start: Start, looks_through: bool) -> Option<Met> {
+    /// Where the wheel meets row `j`, sought from a `start` along the track, with the parameter and
+    /// the coordinate along the axle opposite, if any are known; nothing where the row is not there.
+    pub fn meet(
+        &self,
+        over: &Over,
+        j: usize,
+        start: Option<[f64; 3]>,
+        looks_through: bool,
+    ) -> Option<Met> {
         let row = self.row(over, j)?;
         let ends = over.reach(self.surface, row.run)?;
         // Where the wheel stands upright, or nothing of it is opposite, the row is as good as beside
         // it, wherever those beside it are met.
-        let Some(spot) = self.begin(over, &row, ends, start) else {
+        let Some(mut spot) = self.begin(over, &row, ends, start) else {
             return self.aside(over, j);
         };
-        let settled = |spot: Spot| settle(over, &row, spot, ends);
-        let (found, is_held) = if looks_through && self.is_hollow(over, j) {
-            let (best, other) = self.valleys(&row, over, &spot, ends);
-            let near = |axial: f64| Some(spot.s + axial - spot.axial());
-            let places = [Some(best), other].into_iter().flatten();
-            let found =
-                places.map(|place| settled(Spot::find(over, &row, place, near).unwrap_or(spot)));
-            // Two valleys about as high: samples do not tell which one is higher.
-            found.min_by(|(a, _), (b, _)| a.gap.total_cmp(&b.gap))?
-        } else {
-            settled(spot)
-        };
-        Some(found.found(over, j, is_held))
+        if !(looks_through && self.is_hollow(over, j)) {
+            let rest = settle(over, &row, &mut spot, ends);
+            return Some(spot.found(over, j, rest));
+        }
+        let (best, other) = self.valleys(&row, over, &spot, ends);
+        let near = |axial: f64| Some(spot.s() + axial - spot.axial());
+        let found = [Some(best), other].into_iter().flatten().map(|place| {
+            let mut own = Spot::find(over, &row, place, near).unwrap_or(spot);
+            let rest = settle(over, &row, &mut own, ends);
+            (own, rest)
+        });
+        // Two valleys about as high: samples do not tell which one is higher.
+        let (spot, rest) = found.min_by(|(a, _), (b, _)| a.gap.total_cmp(&b.gap))?;
+        Some(spot.found(over, j, rest))
     }
 
     /// Whether row `j` or the wheel may be hollow.
@@ -82,39 +80,42 @@ impl Touch<'_> {
 
     /// A `row` from one place to another one, at the place of `start`; nothing where the wheel
     /// stands upright or nothing of it is opposite.
-    fn begin(&self, over: &Over, row: &Row, [from, to]: [f64; 2], start: Start) -> Option<Spot> {
-        let place = start.place.clamp(from, to);
+    fn begin(
+        &self,
+        over: &Over,
+        row: &Row,
+        [from, to]: [f64; 2],
+        start: Option<[f64; 3]>,
+    ) -> Option<Spot> {
+        let place = start.map_or(0.0, |[place, ..]| place).clamp(from, to);
         Spot::find(over, row, place, |axial| {
-            let near = start.opposite.filter(|[_, own]| (axial - own).abs() < CLOSE);
-            near.map(|[u, own]| u + axial - own).or_else(|| self.wheel.parameter(axial))
+            let near = start.filter(|[_, _, own]| (axial - own).abs() < CLOSE);
+            near.map(|[_, s, own]| s + axial - own).or_else(|| self.wheel.parameter(axial))
         })
     }
 
     /// The row that was `found`, as it moves with a round wheel.
     pub fn moving<T: Real>(&self, over: &Over<T>, found: &Met) -> Met<T> {
         let (j, slice) = (found.row, over.within.slice);
-        let place = T::from(found.place);
         // Both were there when it was found.
         let run = self.surface.run(j, over.station.value(), slice);
         let row = Row { surface: self.surface, number: j, run: run.unwrap_or_default() };
         let ends = run.and_then(|run| over.reach(self.surface, run));
-        let end =
-            ends.into_iter().flatten().find(|end| end.value().to_bits() == found.place.to_bits());
-        let Some([s, _]) = found.opposite.filter(|_| run.is_some()) else {
-            let place = end.unwrap_or(place);
+        let Some(opposite) = found.opposite.filter(|_| run.is_some()) else {
+            let place = ends.map_or(T::from(0.0), |ends| straight_below(ends));
             return over.aside(j, place, &row.at(over, place));
         };
-        let spot = Spot::at(over, &row, end.unwrap_or(place), T::from(s));
-        let [missing, slope] = spot.equations();
-        let [[a, b], [c, d]] = spot.rates().map(|equation| equation.map(T::value));
-        let (place, s) = if let Some(end) = end {
-            (end, T::moving(s, -missing / b))
-        } else {
-            let inverse = -1.0 / (a * d - b * c);
-            let place = T::moving(found.place, (missing * d - slope * b) * inverse);
-            (place, T::moving(s, (slope * a - missing * c) * inverse))
+        let Opposite { place, s, rest, .. } = opposite;
+        let is_end = |end: &T| end.value().to_bits() == place.to_bits();
+        let end = ends.into_iter().flatten().find(is_end);
+        let spot = Spot::at(over, &row, end.unwrap_or(place.into()), s.into());
+        let (way, rest) = match end {
+            Some(_) => (T::from(0.0), None),
+            None => (spot.rest(over), Some(T::from(rest))),
         };
-        Spot::at(over, &row, place, s).met(over, j, end.is_some())
+        let s = T::moving(s, spot.parameter_after(way));
+        let place = end.unwrap_or_else(|| T::moving(place, way));
+        Spot::at(over, &row, place, s).met(over, j, rest)
     }
 
     /// The sample of a `row` about which it is highest for the wheel, and the one about which it
@@ -127,7 +128,7 @@ impl Touch<'_> {
         [from, to]: [f64; 2],
     ) -> (f64, Option<f64>) {
         let way = over.way(here.place, &here.point);
-        let on_line = over.line().even_at(here.s).x;
+        let on_line = over.line().even_at(here.s()).x;
         let centre = here.place + (on_line - way.x) / way.rate;
         // No farther than where a wheel stands higher than the row ever rises.
         let own = if over.varies_around() { 0.0 } else { here.raised() };
@@ -167,9 +168,20 @@ impl Touch<'_> {
     }
 }
 
-/// Where the wheel meets a `row` `from` one place `to` another one, by Newton steps from a
-/// `spot` on it, and whether the row ends there.
-fn settle(over: &Over, row: &Row, mut spot: Spot, [from, to]: [f64; 2]) -> (Spot, bool) {
+/// Of the places from one to another one the nearest to the axle.
+fn straight_below<T: Real>([from, to]: [T; 2]) -> T {
+    if from > 0.0 {
+        from
+    } else if to < 0.0 {
+        to
+    } else {
+        T::from(0.0)
+    }
+}
+
+/// Takes the `spot` on a `row` by Newton steps to where the wheel meets that `from` one place `to`
+/// another one, but for the way that is left; nothing is left where the row ends there.
+fn settle(over: &Over, row: &Row, spot: &mut Spot, [from, to]: [f64; 2]) -> Option<f64> {
     // Slices that bend may lead beyond where the slope has the other sign.
     let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut before: Option<[f64; 2]> = None;
@@ -180,27 +192,26 @@ fn settle(over: &Over, row: &Row, mut spot: Spot, [from, to]: [f64; 2]) -> (Spot
         let chord = before
             .filter(|_| over.varies_around())
             .map(|[place, slope]| (spot.slope - slope) / (spot.place - place));
-        let bend = chord.unwrap_or(spot.bend).max(MIN_BEND / over.nominal_radius());
-        let step = -spot.slope / bend;
+        let least = MIN_BEND / over.nominal_radius();
+        let step = chord.map_or_else(|| spot.rest(over), |bend| -spot.slope / bend.max(least));
         let mut next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
         if !(behind..=ahead).contains(&next) {
             next = 0.5 * (behind + ahead);
         }
         // Exactly on an end where it is held there.
         let is_held = !(from..=to).contains(&next);
+        if !is_held && step.abs() <= LAST_STEP {
+            return Some(step);
+        }
         let next = next.clamp(from, to);
         let way = next - spot.place;
         if is_held && way == 0.0 {
-            return (spot, true);
-        }
-        if !is_held && way.abs() <= LAST_STEP {
-            spot.rest = way;
-            return (spot, false);
+            return None;
         }
         let near = spot.parameter_after(way);
         let Some(other) = Spot::find(over, row, next, |_| Some(near)) else { break };
         before = Some([spot.place, spot.slope]);
-        spot = other;
+        *spot = other;
     }
-    (spot, false)
+    Some(0.0)
 }

@@ -1,70 +1,44 @@
 //! How the place at which rows are met goes on from one to the next.
 
-use super::touch::{CLOSE, Start};
+use super::touch::CLOSE;
 use crate::geometry::sections::rows::envelope::TREND;
-use crate::geometry::sections::rows::met::Met;
+use crate::geometry::sections::rows::met::{Met, Opposite};
 
-/// Where a row was met.
-#[derive(Clone, Copy)]
-struct Last {
-    row: usize,
-    /// Along the track [m], and the point of the wheel opposite as of [`Start`].
-    place: f64,
-    opposite: Option<[f64; 2]>,
-}
-
-impl Last {
-    fn start(&self) -> Start {
-        Start { place: self.place, opposite: self.opposite }
-    }
-}
-
-/// The last three rows that were met.
+/// The last three rows that were met: their numbers, and the place along the track, the parameter of
+/// the wheel and the coordinate along the axle [m].
 #[derive(Default)]
 pub(super) struct Trend {
-    last: [Option<Last>; 3],
+    last: [Option<(usize, [f64; 3])>; 3],
 }
 
 impl Trend {
     /// Goes on to the row that was `found`.
     pub fn follow(&mut self, found: &Met) {
         let [a, b, _] = self.last;
-        let Met { row, place, opposite, .. } = *found;
-        self.last = [Some(Last { row, place, opposite }), a, b];
-    }
-
-    /// Where a row is sought from the one that was met last.
-    pub fn beside(&self) -> Start {
-        self.last[0].as_ref().map_or_else(Start::default, Last::start)
+        let of = |Opposite { place, s, axial, .. }| (found.row, [place, s, axial]);
+        self.last = [found.opposite.map(of), a, b];
     }
 
     /// Where row `j` is sought, by the row parameters: where the parabola through the last rows
-    /// leads, or as many of them as go on from one to the next.
-    pub fn start(&self, parameter: &[f64], j: usize) -> Start {
-        let [Some(last), before, first] = &self.last else { return Start::default() };
-        let away = |m: &Last, of: &Last| parameter[of.row] - parameter[m.row];
-        let ahead = parameter[j] - parameter[last.row];
-        if ahead > CLOSE {
-            return last.start();
-        }
-        // Place, and parameter of the wheel along the axle.
-        let of = |m: &Last| m.opposite.map(|[u, axial]| [m.place, u, axial]);
+    /// leads, or as many of them as go on from one to the next; nothing where none was met.
+    pub fn start(&self, parameter: &[f64], j: usize) -> Option<[f64; 3]> {
+        let [last, before, first] = self.last;
+        let (row, a) = last?;
+        let ahead = parameter[j] - parameter[row];
         let goes_on =
-            |m: &Last, to: &Last| away(m, to) < CLOSE && (to.place - m.place).abs() < TREND;
-        let before = before.as_ref().filter(|m| goes_on(m, last));
-        let (Some(a), Some(b)) = (of(last), before.and_then(of)) else {
-            return last.start();
-        };
-        let near = before.map_or(0.0, |m| away(m, last));
-        let slope = [0, 1, 2].map(|c| (a[c] - b[c]) / near);
-        let first = first.as_ref().zip(before).filter(|(m, to)| goes_on(m, to));
-        let bend = first.and_then(|(m, to)| {
-            let (c, far) = (of(m)?, away(m, to));
-            Some([0, 1, 2].map(|k| (slope[k] - (b[k] - c[k]) / far) / (near + far)))
+            |m: [f64; 3], to: [f64; 3], away: f64| away <= CLOSE && (to[0] - m[0]).abs() < TREND;
+        let Some((beside, b)) = before.filter(|_| ahead <= CLOSE) else { return Some(a) };
+        let near = parameter[row] - parameter[beside];
+        if !goes_on(b, a, near) {
+            return Some(a);
+        }
+        let slope = [0, 1, 2].map(|k| (a[k] - b[k]) / near);
+        let bend = first.and_then(|(of, c)| {
+            let far = parameter[beside] - parameter[of];
+            let bend = |k: usize| (slope[k] - (b[k] - c[k]) / far) / (near + far);
+            goes_on(c, b, far).then(|| [0, 1, 2].map(bend))
         });
         let bend = bend.unwrap_or_default();
-        let [place, u, axial] =
-            [0, 1, 2].map(|k| a[k] + ahead * (slope[k] + (ahead + near) * bend[k]));
-        Start { place, opposite: Some([u, axial]) }
+        Some([0, 1, 2].map(|k| a[k] + ahead * (slope[k] + (ahead + near) * bend[k])))
     }
 }

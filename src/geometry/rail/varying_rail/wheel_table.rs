@@ -71,7 +71,7 @@ impl WheelTable {
 
     /// Greatest z of the wheel from one place across to another one [m].
     pub fn lowest(&self, [from, to]: [f64; 2]) -> f64 {
-        let cell = |y: f64| ((y - self.start) / CELL).max(0.0) as usize;
+        let cell = |y: f64| ((y - self.start) * (1.0 / CELL)).max(0.0) as usize;
         let (first, last) = (cell(from), cell(to).min(self.cells.len() - 1));
         if to < self.start || first > last {
             return f64::NEG_INFINITY;

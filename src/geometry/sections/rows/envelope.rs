@@ -5,7 +5,6 @@ use super::met::Met;
 use super::plane::dot;
 use super::surface::Surface;
 use crate::geometry::curves::curve::{CurvePoint, Knot};
-use crate::geometry::sections::slices::arc;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
@@ -75,18 +74,20 @@ impl<T: Real> Envelope<T> {
         let parameter = match kept.last() {
             None => rows.parameter[m.row].into(),
             Some(b) => {
-                let reached = arc(b.point, b.direction, m.point, m.direction);
+                let way = [m.point[0] - b.point[0], m.point[1] - b.point[1]];
+                let reached = dot(way, way).sqrt();
                 if reached.value().is_nan() || reached < MIN_ARC {
                     return;
                 }
                 // As long as the section is that of the pattern the parameter is its own.
                 let grown = if rows.parts[b.row] == rows.parts[m.row] {
-                    let [from, to] = [b, m].map(|m| {
-                        let [y, z, dy, dz] = rows.pattern[m.row];
-                        ([y, z], [dy, dz])
-                    });
+                    let (from, to) = (&rows.pattern[b.row], &rows.pattern[m.row]);
+                    let way = [to[0] - from[0], to[1] - from[1]];
                     let own = rows.parameter[m.row] - rows.parameter[b.row];
-                    reached * (own / arc(from.0, from.1, to.0, to.1))
+                    if own < MIN_ARC {
+                        return;
+                    }
+                    reached * (own / dot(way, way).sqrt())
                 } else {
                     reached
                 };
@@ -150,40 +151,51 @@ impl<T: Real> Envelope<T> {
         let Self { knots, .. } = self;
         let last = knots.len().checked_sub(1).filter(|last| *last > 0)?;
         let first = knots.partition_point(|k| k.s <= s).clamp(1, last) - 1;
-        let length = |k: usize| {
-            let length = knots[k + 1].s - knots[k].s;
-            [length, T::from(1.0) / length]
+        let length = |k: usize| knots[k + 1].s - knots[k].s;
+        let h = length(first);
+        let t = ((s - knots[first].s) / h).within(0.0, 1.0);
+        let rest = -t + 1.0;
+        // Of the slopes at both ends, by which the cubic goes beside the straight line.
+        let slopes = [t * rest * rest, -(t * t * rest)];
+        let mut own = t * t * (rest * 2.0 + 1.0);
+        let mut beside = |is_there: bool, k: usize, slope: T| {
+            if !is_there {
+                own += slope;
+                return None;
+            }
+            let near = length(k);
+            let share = slope / (h + near);
+            own += share * near;
+            Some(share * h * h / near)
         };
-        let own = length(first);
-        let share = ((s - knots[first].s) * own[1]).within(0.0, 1.0);
-        let before = (first > 0).then(|| length(first - 1));
-        let behind = (first + 1 < last).then(|| length(first + 1));
-        Some(Between { first, share, own, before, behind })
+        let before = beside(first > 0, first.wrapping_sub(1), slopes[0]);
+        let behind = beside(first + 1 < last, first + 1, slopes[1]);
+        Some(Between { first, before, own, behind })
     }
 
-    /// What the function `of` the places of touch is between two of them, by a cubic with slopes by
-    /// the neighbours, weighted by their distance.
+    /// What the function `of` the places of touch is between two of them.
     fn interpolated(&self, at: &Between<T>, of: impl Fn(&Along<T>) -> T) -> T {
-        let Between { first, share: t, own: [h, slowness], before, behind } = *at;
+        let Between { first, before, own, behind } = *at;
         let value = |k: usize| of(&self.kept[k].along);
         let (a, b) = (value(first), value(first + 1));
-        let slope = (b - a) * slowness;
-        let with = |other: T, [length, _]: [T; 2]| (other * h + slope * length) / (h + length);
-        let m = before.map_or(slope, |near| with((a - value(first - 1)) * near[1], near)) * h;
-        let q = behind.map_or(slope, |near| with((value(first + 2) - b) * near[1], near)) * h;
-        let bend = (b - a) * 3.0 - m * 2.0 - q + t * (m + q - (b - a) * 2.0);
-        a + t * (m + t * bend)
+        let mut sum = a + (b - a) * own;
+        if let Some(share) = before {
+            sum += (a - value(first - 1)) * share;
+        }
+        if let Some(share) = behind {
+            sum += (value(first + 2) - b) * share;
+        }
+        sum
     }
 }
 
-/// The two knots about a place of an outline.
+/// The knots about a place of an outline: a cubic between two of them, with slopes by the neighbours
+/// that are weighted by their distance.
 struct Between<T> {
     first: usize,
-    /// Share of the way from one to the other.
-    share: T,
-    /// Length of that way and of those before and behind it, where there are any, and one over each
-    /// [m, 1/m].
-    own: [T; 2],
-    before: Option<[T; 2]>,
-    behind: Option<[T; 2]>,
+    /// Shares of the change from one to the other and of those before and behind it, where there
+    /// are any.
+    before: Option<T>,
+    own: T,
+    behind: Option<T>,
 }

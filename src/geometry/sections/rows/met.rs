@@ -20,6 +20,19 @@ impl Gap {
     }
 }
 
+/// Where a row was looked at, and the wheel opposite.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::geometry) struct Opposite {
+    /// Along the track, from the wheel marker [m].
+    pub place: f64,
+    /// Parameter of the wheel, and coordinate along the axle [m].
+    pub s: f64,
+    pub axial: f64,
+    /// The way along the track from there to where the row is met, so short that all goes along
+    /// with it evenly [m].
+    pub rest: f64,
+}
+
 /// A row that the wheel meets.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::geometry) struct Met<T = f64> {
@@ -27,12 +40,10 @@ pub(in crate::geometry) struct Met<T = f64> {
     pub point: [T; 2],
     /// How the outline goes on to the next row.
     pub direction: [T; 2],
-    /// Where it is along the track, and along the axes of the outline, from the wheel marker [m].
-    pub place: T,
+    /// Where it is along the axes of the outline, from the wheel marker [m].
     pub x: T,
     pub gap: Gap,
     pub along: Along<T>,
-    /// Parameter of the wheel opposite and coordinate along the axle there; nothing where it is not
-    /// looked for [m].
-    pub opposite: Option<[T; 2]>,
+    /// Nothing where the wheel is not looked for.
+    pub opposite: Option<Opposite>,
 }

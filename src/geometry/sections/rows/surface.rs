@@ -295,7 +295,7 @@ impl Surface {
     /// How fast the section of the pattern passes row `j` [-].
     pub fn pattern_speed(&self, j: usize) -> f64 {
         let [_, _, dy, dz] = self.rows.pattern[j];
-        dy.hypotenuse(dz)
+        (dy * dy + dz * dz).sqrt()
     }
 }
 

@@ -82,7 +82,7 @@ impl<T: Real> Lattice<T> {
         let [a, b] = [&self.samples[middle], &self.samples[middle + 1]];
         let t = ((place / square - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
         // Where the wheel stands upright this grows beyond all bounds and comes back from below.
-        let radius = line.radius(between(a, b, t).at.u);
+        let radius = line.radius(&between(a, b, t).at);
         self.radius = if radius.value() < 0.0 { -radius } else { radius };
         let scale = T::from(1.0) / self.depth;
         for station in self.stations.iter_mut() {

@@ -175,7 +175,7 @@ impl<T: Real> Lattice<T> {
         let LinePlace { u, y, x, tangent, overlap: depth, .. } = at;
         let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
         self.integrals.push(integrals);
-        let radius = line.radius(u);
+        let radius = line.radius(&at);
         // Off the line of greatest overlap there is less of it.
         let off = (x - centre) * spread;
         let less = off * off * 0.5 / radius;
