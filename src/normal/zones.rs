@@ -29,25 +29,22 @@ pub fn for_each_zone<T: Real, S: FrameSeparation<T>>(
     let (moving_level, level) = (level, level.value());
     let mut i = 0;
     while i < probes.len() {
-        if probes[i].f >= level {
-            i += 1;
+        let from = i;
+        i += 1;
+        if probes[from].f >= level {
             continue;
         }
-        let first = i;
-        while i + 1 < probes.len() && probes[i + 1].f < level {
-            i += 1;
-        }
-        let deepest =
-            (first..=i).min_by(|&a, &b| probes[a].f.total_cmp(&probes[b].f)).unwrap_or(first);
-        let left = edge(separation, probes[..=deepest].iter().rev(), level);
-        let right = edge(separation, probes[deepest..].iter(), level);
+        let left = edge(separation, probes[..=from].iter().rev(), level);
+        let right = edge(separation, probes[from..].iter(), level);
         if let (Some(left), Some(right)) = (left, right)
             && right > left
         {
+            // What is below the level by estimate may not be, and the other way round: the edges
+            // say where a zone ends.
+            i += probes[i..].partition_point(|probe| probe.u <= right);
             let [left, right] = [left, right].map(|u| separation.edge(u, moving_level));
             found(separation, Edge { left, right });
         }
-        i += 1;
     }
 }
 

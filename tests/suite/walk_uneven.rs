@@ -45,6 +45,11 @@ impl Scene {
         Self { name, parameters, folder: None, aside, within, most: tolerance::WALK_JUMPS }
     }
 
+    /// On an even rail with waves contacts go over from place to place along the track.
+    fn with_waves(self) -> Self {
+        Self { most: tolerance::WALK_JUMPS_OVER_WAVES, ..self }
+    }
+
     fn of_slices(name: &'static str, folder: TempDir, aside: [f64; 2]) -> Self {
         let scene = Self::new(name, |parameters| *parameters = of_slices(parameters.clone()));
         Self { folder: Some(folder), aside, within: [0.05, 0.3], ..scene }
@@ -76,7 +81,7 @@ fn scenes() -> Vec<Scene> {
     // Its rails have no sides for a flange.
     let mut over_crossing =
         Scene::of_slices("a crossing with wing, groove and nose", crossing(), [-0.02, 0.02]);
-    over_crossing.parameters.wheel.profile = "conical:0.05".into();
+    over_crossing.parameters.wheel.profile = "conical:0.02".into();
     let mut end =
         Scene::of_slices("the end of a rail", rail_end::ending(0.0, |s| s <= 0.0), [-5e-3, 5e-3]);
     end.parameters.wheel.profile = "cylindrical".into();
@@ -94,9 +99,9 @@ fn scenes() -> Vec<Scene> {
             p.rails[0].roller_radius = 0.8;
             corrugated(p, 2e-5, TAU * 0.8 / 152.0);
         }),
-        Scene::new("corrugation of 33 mm, 20 µm", |p| corrugated(p, 2e-5, 0.033)),
-        Scene::new("corrugation of 33 mm, 60 µm", |p| corrugated(p, 6e-5, 0.033)),
-        Scene::new("corrugation of 38 mm, 230 µm", |p| corrugated(p, 2.3e-4, 0.038)),
+        Scene::new("corrugation of 33 mm, 20 µm", |p| corrugated(p, 2e-5, 0.033)).with_waves(),
+        Scene::new("corrugation of 33 mm, 60 µm", |p| corrugated(p, 6e-5, 0.033)).with_waves(),
+        Scene::new("corrugation of 38 mm, 230 µm", |p| corrugated(p, 2.3e-4, 0.038)).with_waves(),
         Scene::new("a wheel out of round, order 6, 0.3 mm", |p| {
             let wave = &mut p.wheel.out_of_round;
             (wave.amplitude, wave.order) = (3e-4, 6);
