@@ -102,7 +102,7 @@ impl RailContact {
     #[must_use]
     pub fn with_wheel(mut self, wheel: &VaryingWheel) -> Self {
         let mut clearances = self.clearances.clone();
-        clearances.reserve(self.clearances.lower(wheel.sides()));
+        clearances.reserve(self.clearances.lower(&wheel.sides()));
         self.wheel.curve.reserve(wheel.most_knots());
         self.search.reserve(MAX_ADDED_ARC + wheel.longer());
         self.around = Some(Box::new(Around { wheel: wheel.clone(), clearances }));

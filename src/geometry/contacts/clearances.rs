@@ -69,7 +69,7 @@ impl Clearances {
     }
 
     /// As [`Clearance::lower`]; how far any piece then reaches beyond its sides at most [m].
-    pub fn lower(&mut self, sides: impl Iterator<Item = [[f64; 2]; 2]> + Clone) -> f64 {
+    pub fn lower(&mut self, sides: &(impl Iterator<Item = [[f64; 2]; 2]> + Clone)) -> f64 {
         let wider = self.pieces.iter_mut().map(|piece| piece.lower(sides.clone()));
         wider.fold(0.0, f64::max)
     }

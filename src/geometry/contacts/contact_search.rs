@@ -263,7 +263,14 @@ impl ContactSearch {
                 (true, false) => Kind::Minimum,
                 (false, _) => Kind::Maximum,
             };
-            self.record(extremum, kind);
+            if kind == Kind::Maximum && extremum.distance > 0.0 {
+                // Two intervals with a gap between them that is shorter than a step.
+                self.record(extremum, Kind::Step);
+                self.close_interval();
+                self.record(extremum, Kind::Step);
+            } else {
+                self.record(extremum, kind);
+            }
         }
         self.record(*to, Kind::Step);
         if to.distance > 0.0 {

@@ -119,11 +119,11 @@ fn random_poses(models: &[NormalModel], poses: usize, seed: u64) -> Vec<String> 
             // Damped, a wheel that goes off the gauge face at 2 m/s has no load there.
             let mut own = Parameters { normal_model: *normal_model, damping: 0.0, ..parameters() };
             own.wheel.profile = "S1002".into();
-            // Elements of both rails are not the same ones.
-            let allowed = if *normal_model == NormalModel::BoundaryElement {
-                tolerance::EVENLY_DRIFTING_ELEMENTS
-            } else {
-                tolerance::EVENLY_DRIFTING
+            let allowed = match normal_model {
+                // Elements of both rails are not the same ones.
+                NormalModel::BoundaryElement => tolerance::EVENLY_DRIFTING_ELEMENTS,
+                NormalModel::Hertz => tolerance::EVENLY_DRIFTING_ELLIPSES,
+                _ => tolerance::EVENLY_DRIFTING,
             };
             let mut both = Both::new(&own, *rates);
             let (mut touch, mut force, mut pose) = (0.0_f64, 0.0_f64, Input::default());
