@@ -10,6 +10,10 @@ use crate::math::fixed_vec::FixedVec;
 /// How far below the wheel the few rows surely are of which nothing is asked where none is known to
 /// be nearer [m].
 const FAR_BELOW: f64 = 0.02;
+/// Distance from the wheel from which on a row is put as it is under the axle, wherever it was met:
+/// under waves rows that nothing touches may be met far apart from each other, and an outline
+/// through them turn back; more than an overlap stands out between two of the few rows [m].
+const UNTOUCHED: f64 = 1e-3;
 
 /// The rows that a wheel meets.
 #[derive(Clone, Debug)]
@@ -72,7 +76,8 @@ impl Meeting {
         let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
         let nearest = first.and_then(|(j, _)| touch.meet(over, j, None, true));
         let nearest = nearest.filter(|met| met.opposite.is_some());
-        let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
+        let least = nearest.map_or(0.0, |met| met.gap.height.max(0.0));
+        let far = nearest.map_or(FAR_BELOW, |_| least + NEAR);
         wide.clear();
         let is_near = |low: &f64| *low <= far;
         // Beside the rows that may touch one more on either side is enough.
@@ -84,10 +89,12 @@ impl Meeting {
         };
         let mut trend = Trend::default();
         for (j, low) in rows.skip(from.saturating_sub(1)).take(to + 2 - from.saturating_sub(1)) {
-            let found = if low > far {
-                touch.aside(over, j)
-            } else {
-                touch.meet(over, j, trend.start(parameter, j), true)
+            let met = (low <= far).then(|| touch.meet(over, j, trend.start(parameter, j), true));
+            let is_untouched = |met: &Met| met.gap.lowered(least) > UNTOUCHED;
+            let (found, low) = match met.flatten() {
+                Some(met) if is_untouched(&met) => (touch.aside(over, j), met.gap.height),
+                Some(met) => (Some(met), low),
+                None => (touch.aside(over, j), low),
             };
             let Some(mut found) = found else { continue };
             if found.opposite.is_none() {
