@@ -6,6 +6,7 @@ use super::output::Output;
 use super::parameters::{FoundationModel, Side, VerticalMode};
 use super::rail::rail_contact::RailContact;
 use super::start_warning::StartWarning;
+use super::vertical_load::LONGEST_STEP;
 use super::wheel_on_rails::Element;
 
 /// Height above first touch from which on a wheel counts as far from its rails [m]: more than any
@@ -21,9 +22,8 @@ const AT_ONCE: f64 = 1e-5;
 /// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries
 /// the wheel is no hindrance [rad].
 const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
-/// Steps of the descent onto the rail: the least, and the longest, in which no wheel passes through a
-/// rail [m].
-const DESCENT_STEPS: [f64; 2] = [2e-4, 2e-3];
+/// Least step of the descent onto the rail [m].
+const LEAST_STEP: f64 = 2e-4;
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
 const MAX_DESCENT_STEPS: usize = 750;
 /// Twice the least radius of bodies against each other that a guess of first touch allows for [m]:
@@ -166,7 +166,7 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<Touch
     };
     // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is
     // lost in rounding.
-    let (mut clear, mut touching) = (highest, highest + DESCENT_STEPS[0]);
+    let (mut clear, mut touching) = (highest, highest + LEAST_STEP);
     let mut met = None;
     for _ in 0..MAX_DESCENT_STEPS {
         match lift(touching)? {
@@ -176,7 +176,7 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<Touch
             }
             Err(apart) => {
                 clear = touching;
-                touching += apart.clamp(DESCENT_STEPS[0], DESCENT_STEPS[1]);
+                touching += apart.clamp(LEAST_STEP, LONGEST_STEP);
             }
         }
     }

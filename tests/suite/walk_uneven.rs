@@ -141,10 +141,11 @@ fn walk(lines: usize, seed: u64) {
                 for _ in 0..lines {
                     let line =
                         Line::over_uneven(&mut element, &mut random, scene.aside, scene.within);
-                    let (share, most) = ([1.0, FRICTION][forces], scene.most[forces]);
-                    let found = follow(&mut element, &line, share, most, &mut Vec::new());
+                    // Looked for as finely everywhere, whatever is admitted.
+                    let (share, aim) = ([1.0, FRICTION][forces], tolerance::WALK_JUMPS[forces]);
+                    let found = follow(&mut element, &line, share, aim, &mut Vec::new());
                     jumps[forces].push(found.jump);
-                    if found.jump > tolerance::WALK_JUMPS[forces] {
+                    if found.jump > aim {
                         let input = line.at(found.at);
                         let motion = input.wheel;
                         let [_, y, z] = motion.position;
@@ -156,7 +157,7 @@ fn walk(lines: usize, seed: u64) {
                         writeln!(report, "{name},{wheel},{model:?},{:.2e},{row}", found.jump)
                             .unwrap();
                     }
-                    if found.jump > most {
+                    if found.jump > scene.most[forces] {
                         writeln!(missed, "{} {wheel}: {:e}", scene.name, found.jump).unwrap();
                     }
                 }
@@ -181,7 +182,7 @@ fn a_short_walk_over_bodies_that_vary_has_no_jumps() {
 }
 
 #[test]
-#[ignore = "long, thirty million evaluations: for a release build"]
+#[ignore = "ten minutes unoptimized; fails by the lines that docs/validation.md lists"]
 fn a_long_walk_over_bodies_that_vary_has_no_jumps() {
     walk(40, 200);
 }

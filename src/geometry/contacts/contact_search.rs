@@ -263,12 +263,10 @@ impl ContactSearch {
                 (true, false) => Kind::Minimum,
                 (false, _) => Kind::Maximum,
             };
+            self.record(extremum, kind);
             if kind == Kind::Maximum && extremum.distance > 0.0 {
                 // Two intervals with a gap between them that is shorter than a step.
-                self.record(extremum, Kind::Step);
                 self.close_interval();
-                self.record(extremum, Kind::Step);
-            } else {
                 self.record(extremum, kind);
             }
         }

@@ -394,11 +394,11 @@ fn turn_direction(value: &mut RowValue) {
 /// Greatest distance of two rows; and the least one to which they are halved where a section turns
 /// by more than that from one to the next, or cubics between them are farther from it than that is
 /// to be followed: curvature that jumps by 1/13 mm, as on rail heads, leaves a quarter of a
-/// micrometre there [m, -, m].
+/// micrometre there [m, m, -, m].
 const WIDEST_ROWS: f64 = 3e-3;
 const CLOSEST_ROWS: f64 = 4e-4;
-const FOLLOWED: f64 = 1e-8;
 const STRAIGHT: f64 = 0.06;
+const FOLLOWED: f64 = 1e-8;
 /// Steepest row along the track, as a slope against it, and share of the rows of a part from which
 /// on the part is broken where so many are steeper: the two slices are not of the same shape, as
 /// where a nose begins.

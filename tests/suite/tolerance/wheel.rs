@@ -112,8 +112,8 @@ super::entry::tolerances! {
     /// even rail at an angle that they are, over the force: the target.
     EVENLY_DRIFTING: f64 = 1e-6;
 
-    /// The same by one ellipse, which has the curvature of one point, that rails of 13 mm beside
-    /// 80 mm have about there or not, in 6600 poses: two are beyond the target.
+    /// The same by one ellipse: it has the curvature of one point, which jumps where arcs of a rail
+    /// meet, and the two rails have these a little elsewhere.
     EVENLY_DRIFTING_ELLIPSES: f64 = 3e-5, target 1e-6;
 
     /// The same by boundary elements: their lattices count from other places on both.

@@ -12,7 +12,7 @@ use crate::math::fixed_vec::FixedVec;
 const FAR_BELOW: f64 = 0.02;
 /// Distance from the wheel from which on a row is put as it is under the axle, wherever it was met:
 /// under waves rows that nothing touches may be met far apart from each other, and an outline
-/// through them turn back; more than an overlap stands out between two of the few rows [m].
+/// through them turn back. More than [`NEAR`], up to which rows between them are looked at [m].
 const UNTOUCHED: f64 = 1e-3;
 
 /// The rows that a wheel meets.

@@ -4,7 +4,7 @@ use super::waves::Waves;
 use super::wheel_table::CELL;
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::plane::dot;
-use crate::geometry::sections::rows::surface::{REACH, RowPoint, Surface, Within};
+use crate::geometry::sections::rows::surface::{REACH, REACH_ALONG, RowPoint, Surface, Within};
 use crate::geometry::wheel::contact_line::{ContactLine, Followed};
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
@@ -14,9 +14,6 @@ const STEEPEST_FLANK: f64 = 3.0;
 /// Newton steps to a point of the contact line, and one over which nothing changes [m].
 const MAX_STEPS: usize = 12;
 const LAST_STEP: f64 = 1e-13;
-/// Farthest place of touch from the axle along rows that drift or rise: flanges touch rows that
-/// come from the side far ahead [m].
-pub(super) const REACH_ALONG: f64 = 0.3;
 
 /// The wheel above the rail.
 pub(super) struct Over<'a, T: Real = f64> {

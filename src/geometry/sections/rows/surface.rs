@@ -11,7 +11,7 @@ use crate::math::real::Real;
 /// Farthest place of touch from the axle [m].
 pub(in crate::geometry) const REACH: f64 = 0.12;
 /// The same along rows that drift or rise: flanges touch rows that come from the side far ahead [m].
-pub(in crate::geometry) const FARTHEST: f64 = 0.3;
+pub(in crate::geometry) const REACH_ALONG: f64 = 0.3;
 
 /// A row at one place: point and derivative across, both with their derivatives along the track.
 #[derive(Clone, Copy, Debug)]
@@ -74,8 +74,8 @@ impl Surface {
         [from, to]: [f64; 2],
     ) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
         let count = self.count();
-        let last = self.within(to + FARTHEST).slice + 1;
-        let first = self.within(from - FARTHEST).slice;
+        let last = self.within(to + REACH_ALONG).slice + 1;
+        let first = self.within(from - REACH_ALONG).slice;
         let slices = self.rows.knots.chunks(count).skip(first).take(last - first);
         slices
             .zip(self.rows.knots.chunks(count).skip(first + 1))
