@@ -60,8 +60,9 @@ impl Meeting {
             for j in here.row + 1..next.row {
                 let start = trend.start(&rows.parameter, j);
                 if let Some(found) = touch.meet(over, j, start, is_wavy) {
-                    met.push(found);
                     trend.follow(&found);
+                    let aside = Some(j).filter(|_| is_untouched(&found, least));
+                    met.push(aside.and_then(|j| touch.aside(over, j)).unwrap_or(found));
                 }
             }
         }
@@ -90,9 +91,8 @@ impl Meeting {
         let mut trend = Trend::default();
         for (j, low) in rows.skip(from.saturating_sub(1)).take(to + 2 - from.saturating_sub(1)) {
             let met = (low <= far).then(|| touch.meet(over, j, trend.start(parameter, j), true));
-            let is_untouched = |met: &Met| met.gap.lowered(least) > UNTOUCHED;
             let (found, low) = match met.flatten() {
-                Some(met) if is_untouched(&met) => (touch.aside(over, j), met.gap.height),
+                Some(met) if is_untouched(&met, least) => (touch.aside(over, j), met.gap.height),
                 Some(met) => (Some(met), low),
                 None => (touch.aside(over, j), low),
             };
@@ -104,4 +104,10 @@ impl Meeting {
             trend.follow(&found);
         }
     }
+}
+
+/// Whether a row that was met stays away from a wheel that was lowered by `way` [m]: far from it, or
+/// opposite to what the wheel turns up.
+fn is_untouched(met: &Met, way: f64) -> bool {
+    met.gap.share <= 0.0 || met.gap.lowered(way) > UNTOUCHED
 }
