@@ -7,7 +7,7 @@ use super::contact::rail_friction::RailFriction;
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
 use super::input::Input;
-use super::parameters::deviations::{deviations, rail_deviations, wheel_deviations};
+use super::parameters::deviations::{rail_deviations, wheel_deviations};
 use super::parameters::{FoundationModel, Parameters, Placement, RAILS, Side, WearModel};
 use super::rail::rail_contact::RailContact;
 use super::wear_sums::WearSums;
@@ -139,19 +139,18 @@ impl Element {
             let mut placed = placed(k, profile, parameters)?;
             placed.number = k as u32;
             let roller = parameters.rails[k].roller_radius;
-            // A corrugated rail under a wheel that varies around has the same section all along.
-            let is_even = around.is_some() && parameters.is_corrugated(k) && roller <= 0.0;
-            let even = is_even.then(|| Slices::even(profile, EVEN_STRETCH));
-            let waves = || rail_deviations(parameters, k, folders);
-            // Corrugation of rails that vary is part of their surface.
-            let (placed, deviations) = match slices[k].as_ref().or(even.as_ref()) {
-                Some(slices) => (placed.varying(slices, waves()?, &above), None),
-                None if roller > 0.0 => (placed.on_roller(profile, waves()?, &above, roller), None),
-                None => (placed, deviations(parameters, k, folders)?),
+            let corrugation = rail_deviations(parameters, k, folders)?;
+            // A rail with waves, or under a wheel with waves, has the same section all along.
+            let has_waves = !corrugation.is_empty() || !above.waves.is_empty();
+            let even = (has_waves && roller <= 0.0).then(|| Slices::even(profile, EVEN_STRETCH));
+            let placed = match slices[k].as_ref().or(even.as_ref()) {
+                Some(slices) => placed.varying(slices, corrugation, &above),
+                None if roller > 0.0 => placed.on_roller(profile, corrugation, &above, roller),
+                None => placed,
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;
-            let contact = RailContact::new(wheel, name, parameters, placed, deviations, friction);
+            let contact = RailContact::new(wheel, name, parameters, placed, friction);
             contacts[k] = Some(match &around {
                 Some(around) => contact.with_wheel(around),
                 None => contact,

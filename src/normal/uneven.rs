@@ -3,9 +3,9 @@
 //!
 //! Source: Piotrowski and Kik (2008), section 7, which applies the model of section 2 to a
 //! corrugated rail without further equations; these are theirs with the overlap g(x, y) of the real
-//! surfaces instead of g(y) - x²/(2R). With Q(x) and the lift of
-//! [`longitudinal`](crate::geometry::uneven::longitudinal), f(y) the separation less that by the
-//! lift, and c the cosine of the contact angle
+//! surfaces instead of g(y) - x²/(2R). With Q(x) of
+//! [`wavy_section`](crate::geometry::uneven::wavy_section), f(y) the separation where the bodies are
+//! nearest along the track, and c the cosine of the contact angle
 //!
 //! ```text
 //! g(x, y) = δ0 - f(y) - c (Q(x) - min Q),   p(x, y) = (p0 / sqrt(δ0)) sqrt(g(x, y)) where g > 0
@@ -22,8 +22,10 @@ use std::f64::consts::PI;
 use super::piotrowski_kik::{MIN_DISTANCE, logarithm_error};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::contacts::line_separation::{Lifting, LineSeparation};
+use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::separation::{Probe, Separation};
+use crate::geometry::contacts::waves_along::WavesAlong;
+use crate::geometry::uneven::stretches::{SampledWaves, WaveSamples};
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
@@ -55,10 +57,14 @@ struct Stretch {
 /// Scratch memory and the quadrature along strips.
 #[derive(Clone, Debug)]
 pub struct UnevenStrips {
-    /// Slopes of rail and wheel along the track, averaged by the pressure of the contact solved
-    /// last [-].
-    pub slopes: [f64; 2],
-    stretches: FixedVec<Stretch>,
+    samples: WaveSamples,
+    stretches: Stretches,
+}
+
+/// Stretches of one zone, and the quadrature along them.
+#[derive(Clone, Debug)]
+struct Stretches {
+    list: FixedVec<Stretch>,
     /// Nodes sin θ and weights cos θ dθ over a quarter turn, for functions that end like a root.
     quarter: [[f64; 2]; POINTS],
 }
@@ -73,35 +79,43 @@ impl UnevenStrips {
             let angle = 0.25 * PI * (1.0 + rule.nodes[i]);
             *node = [angle.sin(), 0.25 * PI * rule.weights[i] * angle.cos()];
         }
-        Self { slopes: [0.0; 2], stretches: FixedVec::new(strips * MAX_STRETCHES), quarter }
+        let list = FixedVec::new(strips * MAX_STRETCHES);
+        Self { samples: WaveSamples::new(), stretches: Stretches { list, quarter } }
     }
 
     /// Fills the empty `strips` with the loaded zones of one contact frame; as
-    /// [`piotrowski_kik::solve`](super::piotrowski_kik::solve), for a separation with `lifting`.
+    /// [`piotrowski_kik::solve`](super::piotrowski_kik::solve), with `waves` along
+    /// the track. Returns with what that does by how much the waves of rail and wheel are steeper in
+    /// the mean of the pressure than where the bodies are nearest [-].
     pub fn solve(
         &mut self,
         problem: &NormalProblem,
         virtual_penetration: f64,
         separation: &mut LineSeparation,
-        lifting: &Lifting,
+        waves: &WavesAlong,
         probes: &[Probe],
         strips: &mut Strips,
-    ) -> usize {
+    ) -> (usize, [f64; 2]) {
         let depth = virtual_penetration * problem.approach;
-        let longest = (2.0 * lifting.radius / lifting.share * depth).sqrt();
+        let longest = (2.0 * waves.radius / waves.share * depth).sqrt();
         // From the place of the contact line; that of a yawed wheel is another one for every strip,
         // for which it is made up as in the model of even bodies.
         let contact = separation.at(problem.contact_u);
-        let first_touch = contact.x - separation.centre(problem.contact_u);
-        // A lift is along the height and not along the normal: the place of y = 0 is beside that of
-        // first touch.
-        let middle_u = problem.contact_u - contact.y / contact.dy;
+        let Self { samples, stretches } = self;
+        let WavesAlong { section, radius, share, ahead, .. } = *waves;
+        let centre = separation.centre(problem.contact_u) + ahead;
+        let samples = &samples.take(section, centre, section.overlapping(radius, depth / share));
+        let overlap = |separation: &LineSeparation, u: f64, depth: f64| {
+            Overlap::new(samples, [separation.centre(u) + ahead, radius], depth / share)
+        };
+        let deepest = overlap(separation, problem.contact_u, depth);
+        let first_touch = deepest.deepest - deepest.centre;
         let mut left_out = 0;
         // Sums over all zones: of sqrt(2 R g), and of the same over the distance from first touch.
         let mut sums = Sums::default();
         for_each_zone(separation, probes, depth, |separation, edge| {
             let count = problem.rule.nodes.len();
-            self.stretches.clear();
+            stretches.list.clear();
             let (middle, half) = (0.5 * (edge.left + edge.right), 0.5 * (edge.right - edge.left));
             let mut ends = [0.0; 2];
             for (strip, (node, weight)) in
@@ -119,22 +133,22 @@ impl UnevenStrips {
                     ends[1] = at.y + (edge.right - u) * at.dy;
                 }
                 let across = Across { strip, y: at.y, width, u };
-                let centre = separation.centre(u);
-                let overlap = Overlap::new(lifting, centre, depth - at.f, at.x);
-                left_out += self.add_strip(&across, &overlap, centre + first_touch, &mut sums);
+                let own = overlap(separation, u, depth - at.f);
+                left_out += stretches.add_strip(&across, &own, own.centre + first_touch, &mut sums);
             }
             let nearest = longest * MIN_DISTANCE / contact.dy;
-            sums.displacement +=
-                longest * contact.dy * logarithm_error(problem.rule, &edge, middle_u, nearest);
+            sums.displacement += longest
+                * contact.dy
+                * logarithm_error(problem.rule, &edge, problem.contact_u, nearest);
             let deepest = probes
                 .iter()
                 .filter(|p| p.u > edge.left && p.u < edge.right)
                 .min_by(|a, b| a.f.total_cmp(&b.f));
             let peak = deepest.map(|probe| {
                 let at = separation.at(probe.u);
-                Overlap::new(lifting, separation.centre(probe.u), depth - at.f, at.x)
+                overlap(separation, probe.u, depth - at.f)
             });
-            left_out += self.add_zones(ends, count, peak.as_ref(), strips);
+            left_out += stretches.add_zones(ends, count, peak.as_ref(), strips);
         });
         let displacement = sums.displacement.max(sums.least);
         let scale = if displacement > 0.0 && sums.load > 0.0 {
@@ -143,8 +157,13 @@ impl UnevenStrips {
             left_out += strips.zones.len();
             0.0
         };
-        self.slopes =
-            sums.slopes.map(|slope| if sums.load > 0.0 { slope / sums.load } else { 0.0 });
+        // By parts the root of the overlap has as much slope of circles as of waves: known better,
+        // as circles have no corners.
+        let rail = if waves.section.is_round() { sums.rise } else { sums.rail_slope };
+        let slopes = [rail, sums.rise - rail];
+        let steeper = [0, 1].map(|body| {
+            if sums.load > 0.0 { slopes[body] / sums.load - waves.slopes[body] } else { 0.0 }
+        });
         for pressure in strips.pressure.iter_mut() {
             *pressure *= scale;
         }
@@ -154,9 +173,11 @@ impl UnevenStrips {
             strips.summarise(&mut zone);
             strips.zones[i] = zone;
         }
-        left_out
+        (left_out, steeper)
     }
+}
 
+impl Stretches {
     /// Adds all stretches of one strip; returns how many found no room.
     fn add_strip(
         &mut self,
@@ -166,7 +187,7 @@ impl UnevenStrips {
         sums: &mut Sums,
     ) -> usize {
         let (mut left_out, mut count) = (0, 0);
-        let Self { stretches, quarter, .. } = self;
+        let Self { list: stretches, quarter } = self;
         overlap.stretches(|start, end| {
             // Steep circles of the flange back may overlap over less than the last digit of x: no
             // load.
@@ -179,8 +200,6 @@ impl UnevenStrips {
                 return;
             }
             let ends = [start, end];
-            let inside = first_touch > start && first_touch < end;
-            let pivot = if inside { first_touch } else { 0.5 * (start + end) };
             let mut stretch = Stretch {
                 strip: across.strip,
                 ends,
@@ -189,6 +208,8 @@ impl UnevenStrips {
                 u: across.u,
                 ..Stretch::default()
             };
+            let inside = first_touch > start && first_touch < end;
+            let pivot = if inside { first_touch } else { 0.5 * (start + end) };
             let (middle, _) = overlap.root(pivot);
             let y_squared = across.y * across.y;
             let mut influence = 0.0;
@@ -196,12 +217,11 @@ impl UnevenStrips {
                 let side = (end - pivot).abs();
                 for [sine, weight] in *quarter {
                     let x = pivot + sine * (end - pivot);
-                    let (root, slopes) = overlap.root(x);
+                    let (root, slope) = overlap.root(x);
                     let part = weight * side * root;
                     stretch.load += part;
-                    for (sum, slope) in sums.slopes.iter_mut().zip(slopes) {
-                        *sum += across.width * part * slope;
-                    }
+                    sums.rail_slope += across.width * part * slope;
+                    sums.rise += across.width * part * overlap.rise(x);
                     stretch.peak = stretch.peak.max(root);
                     let along = x - first_touch;
                     let distance = (along * along + y_squared).sqrt();
@@ -234,7 +254,7 @@ impl UnevenStrips {
         peak: Option<&Overlap>,
         strips: &mut Strips,
     ) -> usize {
-        let stretches = &mut self.stretches;
+        let stretches = &mut self.list;
         for i in 0..stretches.len() {
             stretches[i].group = i;
             for j in (0..i).rev() {
@@ -314,39 +334,44 @@ struct Sums {
     /// The least that the displacement can be: of the same over the greatest distance from first
     /// touch.
     least: f64,
-    /// Of the slopes of rail and wheel, weighted as the load.
-    slopes: [f64; 2],
+    /// Of the slopes of the rail, weighted as the load, and of those of the circle.
+    rail_slope: f64,
+    rise: f64,
 }
 
 /// The overlap g along one strip.
 struct Overlap<'a> {
-    lifting: &'a Lifting<'a>,
+    waves: &'a SampledWaves<'a>,
+    /// Middle and radius of the circle, and value of Q up to which the bodies overlap [m].
     centre: f64,
-    /// Value of Q up to which the bodies overlap [m].
+    radius: f64,
     level: f64,
     /// Where the overlap is greatest [m].
     deepest: f64,
 }
 
 impl<'a> Overlap<'a> {
-    /// The overlap with greatest value `depth`, at the place `deepest`, over a place `centre` of
-    /// the contact line.
-    fn new(lifting: &'a Lifting<'a>, centre: f64, depth: f64, deepest: f64) -> Self {
-        let least = lifting.deviations.distance(centre, lifting.radius, deepest);
-        let level = depth.max(0.0) / lifting.share + least;
-        Self { lifting, centre, level, deepest }
+    /// The overlap with greatest value `depth` along the height of a circle about `centre` of the
+    /// radius `radius`.
+    fn new(waves: &'a SampledWaves<'a>, [centre, radius]: [f64; 2], depth: f64) -> Self {
+        let deepest = waves.lowest(centre, radius);
+        let level = depth.max(0.0) + waves.distance(centre, radius, deepest);
+        Self { waves, centre, radius, level, deepest }
     }
 
     fn stretches(&self, found: impl FnMut(f64, f64)) {
-        let Lifting { deviations, radius, .. } = *self.lifting;
-        deviations.stretches(self.centre, radius, self.level, found);
+        self.waves.stretches(self.centre, self.radius, self.level, found);
+    }
+
+    /// Slope of the circle at `x` [-].
+    fn rise(&self, x: f64) -> f64 {
+        (x - self.centre) / self.radius
     }
 
     /// sqrt(2 R g) at `x`: R = r/c, and the overlap along the normal is c times that of the
-    /// circles; and the slopes of rail and wheel.
-    fn root(&self, x: f64) -> (f64, [f64; 2]) {
-        let Lifting { deviations, radius, .. } = *self.lifting;
-        deviations.depth_root(self.centre, radius, self.level, x)
+    /// circles; and the slope of the rail.
+    fn root(&self, x: f64) -> (f64, f64) {
+        self.waves.depth_root(self.centre, self.radius, self.level, x)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::allocations;
 use crate::common;
 use crate::tolerance;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::fs;
 
 use crate::common::vectors::assert_balanced;
@@ -140,6 +140,7 @@ fn a_roller_that_turns_its_crests_up_closes_as_a_wheel_does_that_comes_down() {
     let speed = 20.0;
     for normal_model in NORMAL_MODELS {
         let mut parameters = smooth(ROLLER, 1e-5, 100.0);
+        let wavelength = parameters.rails[0].corrugation.wavelength;
         (parameters.normal_model, parameters.damping) = (normal_model, 2e5);
         let mut element = element(&parameters);
         let mut felt: f64 = 0.0;
@@ -164,11 +165,21 @@ fn a_roller_that_turns_its_crests_up_closes_as_a_wheel_does_that_comes_down() {
             turning.wheel.velocity[2] = follows;
             let followed = force(&mut element, &turning);
             felt = felt.max((lifted / undamped - 1.0).abs());
+            let part = |force: f64| force / undamped - 1.0;
+            // The mean slope under the pressure of Piotrowski and Kik is less than that of the wave
+            // where it is touched, under half an ellipse by about (π L/λ)²/8.
+            let share = match normal_model {
+                NormalModel::PiotrowskiKik => {
+                    let length = evaluate(&mut element, &still).patches[0].length;
+                    (PI * length / wavelength).powi(2) / 8.0
+                }
+                _ => 0.0,
+            };
             // The places of touch of a wheel that is pressed are a little beside the first one, and
             // strips each have one of their own.
-            let part = |force: f64| force / undamped - 1.0;
-            assert_relative_eq!(part(lifted), part(lowered), epsilon = 2e-3);
-            assert_relative_eq!(part(followed), 0.0, epsilon = 2e-3);
+            let most = 2e-3 + share * part(lowered).abs();
+            assert_relative_eq!(part(lifted), part(lowered), epsilon = most);
+            assert_relative_eq!(part(followed), 0.0, epsilon = most);
         }
         assert!(felt > 0.05, "{felt}");
     }

@@ -49,7 +49,6 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let wheel_marker = Vector3::from(wheel.position);
         let even_axes = self.axes();
         let along = self.frame.along();
-        let is_even = separation.lifting().is_none();
         for n in zones {
             let LaidZone { index, rolling, surface, law, .. } = models.rolling.zones[n];
             let tractions = models.rolling.tractions[n];
@@ -58,13 +57,9 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             let wheel_point = self.line.wheel_point(zone.u);
             let normal_force = zone.load * load_factor * self.resultant_share;
             let pressing = axes.normal * -normal_force;
-            let bearing = if is_even {
-                // Where the even part of the normal meets the axle, the part that leans does too.
-                let even = position - along * surface.ahead - even_axes.normal * surface.depth;
-                position + (meeting_axle(&wheel, even, even_axes.normal, along) - even)
-            } else {
-                position
-            };
+            // Where the even part of the normal meets the axle, the part that leans does too.
+            let even = position - along * surface.ahead - even_axes.normal * surface.depth;
+            let bearing = position + (meeting_axle(&wheel, even, even_axes.normal, along) - even);
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
             // Along the track and across, wherever the rows go.

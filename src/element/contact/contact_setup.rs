@@ -10,14 +10,16 @@ use super::number::ElementNumber;
 use super::rail_frame::RailFrame;
 use super::rail_friction::{LastPlace, RailFriction};
 use super::rail_walk::{RailPlace, RailWalk};
-use super::zone_surface::{self, ZoneSurface, closing_speed};
+use super::zone_surface::{self, ZoneSurface};
 use crate::element::input::{Input, WheelMotion};
 use crate::element::parameters::NormalModel;
 use crate::friction::StripFriction;
 use crate::geometry::contacts::contact::Contact;
-use crate::geometry::contacts::line_separation::{Lifting, RailSeparation};
+use crate::geometry::contacts::line_separation::RailSeparation;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
+use crate::geometry::rail::varying_rail::VaryingRail;
+use crate::geometry::uneven::wavy_section::WavySection;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::kinematics::creepage::{ContactAxes, RelativeMotion};
 use crate::math::real::Real;
@@ -34,6 +36,16 @@ pub enum Damped<T> {
     By(T),
 }
 
+/// Waves of a contact whose pressure may lie on several of them.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactWaves<'a> {
+    /// The waves along the track.
+    pub section: WavySection<'a>,
+    /// By how much those of rail and wheel are steeper in the mean of the pressure than where the
+    /// bodies are nearest [-].
+    pub steeper: [f64; 2],
+}
+
 /// One contact of the wheel with a rail: where it is, and how the bodies move there.
 pub struct ContactSetup<'a, T = f64> {
     /// Number of the rail, from 0.
@@ -48,8 +60,8 @@ pub struct ContactSetup<'a, T = f64> {
     pub rail: RailOutline<'a, T>,
     /// The contact.
     pub contact: Contact<T>,
-    /// Slopes of rail and wheel along the track in the contact [-].
-    pub slopes: [f64; 2],
+    /// Waves of both bodies, where a strip may touch more than one.
+    pub waves: Option<ContactWaves<'a>>,
     /// How its normal motion is damped.
     pub damped: Damped<T>,
     /// Resultant of the normal loads of its strips over their sum: below one where their normals
@@ -105,7 +117,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
     pub(in crate::element) fn depth(&self, u: T) -> T {
-        let at = self.line.even_at(u);
+        let at = self.line.at(u);
         let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
         let axis = self.contact.normal();
         to[0] * axis[0] + to[1] * axis[1]
@@ -116,7 +128,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     pub(in crate::element) fn surface(&self, u: T, x: T) -> [Vector3<T>; 2] {
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
-        let at = self.line.even_at(u.within(start, end));
+        let at = self.line.at(u.within(start, end));
         let point = self.frame.point(at.point, x);
         let tangent = self.frame.direction(at.tangent);
         [point, tangent / tangent.dot(&tangent).sqrt()]
@@ -145,20 +157,30 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         models: &Models<T>,
     ) -> ZoneSurface<T> {
         let (line, ahead) = (&self.line.round(), self.ahead_of_line(zone, models));
-        let Some(along) = self.rail.along(self.contact.rail_s) else {
+        let Some(mut along) = self.rail.along(self.contact.rail_s) else {
             return ZoneSurface::beside_round(ahead);
         };
-        let share = line.lifting_share(self.contact.normal());
+        if let Some(ContactWaves { section, .. }) = self.waves {
+            // Between the places where it is nearest the wheel is as it is there.
+            let [raised, lever] = section.wheel(zone.x.value(), line.nominal_radius());
+            (along.raised, along.lever) = (raised.into(), lever.into());
+        }
+        let share = line.share_of_height(self.contact.normal());
         let line_ahead = self.line.ahead_of_round(self.contact.u);
-        let radius = line.lifting_radius(zone.u);
-        ZoneSurface::met(share, radius, &along, line_ahead, ahead)
+        let radius = line.circle_radius(zone.u);
+        let mut met = ZoneSurface::met(share, radius, &along, line_ahead, ahead);
+        // A rail without waves leans as its rows do, whatever the wheel is like.
+        let is_even = |varying: &VaryingRail| varying.has_waves() && !varying.is_corrugated();
+        if self.rail.rail.variation().is_some_and(is_even) {
+            met.lean = along.lean;
+        }
+        met
     }
 
     /// Normal force with damping over that without [-].
     pub(in crate::element) fn load_factor(
         &self,
         motion: &RelativeMotion<T>,
-        lifting: Option<&Lifting>,
         models: &Models<T>,
     ) -> T {
         let [load, penetration] = match self.damped {
@@ -166,20 +188,15 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             Damped::Together(whole) => whole,
             Damped::By(load_factor) => return load_factor,
         };
-        let closing_speed = self.closing_speed(motion, lifting, models);
+        let closing_speed = self.closing_speed(motion, models);
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         if load > 0.0 { damped / load } else { T::from(0.0) }
     }
 
     /// Speed at which the bodies close along the normal, without the turning of a round wheel
     /// [m/s].
-    fn closing_speed(
-        &self,
-        motion: &RelativeMotion<T>,
-        lifting: Option<&Lifting>,
-        models: &Models<T>,
-    ) -> T {
-        let (wheel, strips) = (&self.input.wheel, &models.strips);
+    fn closing_speed(&self, motion: &RelativeMotion<T>, models: &Models<T>) -> T {
+        let strips = &models.strips;
         let load = strips.load();
         // Uneven bodies may touch in several places at once: their mean approach velocity has no
         // jump where the first one changes.
@@ -189,12 +206,9 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let along = self.rail.along(self.contact.rail_s);
         let x = if along.is_some() && load > 0.0 {
             // Ahead of where an even rail is touched, so that one that does not vary is one.
-            self.line.round().even_at(self.contact.u).x
-                + mean(&|zone| self.ahead_of_line(zone, models))
-        } else if lifting.is_some() && load > 0.0 {
-            mean(&|zone| zone.x)
+            self.line.round().at(self.contact.u).x + mean(&|zone| self.ahead_of_line(zone, models))
         } else {
-            self.line.even_at(self.contact.u).x
+            self.line.at(self.contact.u).x
         };
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
         let touch = self.track_point(x, T::from(0.0), self.contact.penetration);
@@ -202,16 +216,26 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let even = motion.approach_velocity(touch).dot(&normal);
         if along.is_some() || self.line.varies_around() {
             let along = along.unwrap_or_default();
-            let x = self.line.even_at(self.contact.u).x + along.ahead;
+            let x = self.line.at(self.contact.u).x + along.ahead;
             let speeds = rail_speeds(self.input, self.k, self.rail.rail, &self.frame);
             let rail = self.rail.closing_speed(&along, self.contact.rail_s, x, speeds);
             let ahead = self.line.ahead_of_round(self.contact.u) + along.lever;
             let arm = self.frame.along() * ahead;
-            return even + rail + motion.turning_velocity(arm).dot(&normal);
+            let steeper = self.steeper(speeds);
+            return even + rail + steeper + motion.turning_velocity(arm).dot(&normal);
         }
-        let Some(lifting) = lifting else { return even };
-        let (radius, [forward, ..]) = (self.line.nominal_radius(), wheel.velocity);
-        even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
+        even
+    }
+
+    /// Speed at which waves close by their mean slopes beyond that by those where the bodies are
+    /// nearest, for the `speeds` of wheel and roller [m/s].
+    fn steeper(&self, [forward, turning]: [T; 2]) -> T {
+        let Some(ContactWaves { section, steeper: [rail, wheel] }) = self.waves else {
+            return T::from(0.0);
+        };
+        let lever = wheel * section.lever_per_slope(self.line.nominal_radius());
+        ((forward + turning) * rail - self.input.wheel.pitch_rate * lever)
+            * self.line.share_of_height(self.contact.normal())
     }
 
     /// Gives each of the `strips` that has none yet a friction of its own, where that is not the

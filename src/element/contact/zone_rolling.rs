@@ -8,7 +8,6 @@ use super::number::ElementNumber;
 use super::rolling_zones::LaidZone;
 use super::zone_surface::ZoneSurface;
 use crate::element::parameters::CreepageModel;
-use crate::geometry::contacts::line_separation::RailSeparation;
 use crate::kinematics::creepage::{
     ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
 };
@@ -62,11 +61,10 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         }
     }
 
-    /// How the first zone in `models.strips` rolls on bodies without deviations, with its flat
-    /// creepage.
+    /// How the first zone in `models.strips` rolls with its flat creepage.
     pub(in crate::element) fn rolling_state(&self, models: &Models<T>) -> RollingState<T> {
         let motion = self.motion();
-        let load_factor = self.load_factor(&motion, None, models);
+        let load_factor = self.load_factor(&motion, models);
         let zone = models.strips.zones[0];
         let surface =
             if self.rail.varies() { self.met_surface(&zone, models) } else { ZoneSurface::even() };
@@ -107,22 +105,17 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         first: usize,
     ) {
         let motion = self.motion();
-        let lifting = separation.lifting();
-        let load_factor = self.load_factor(&motion, lifting.as_ref(), models);
+        let load_factor = self.load_factor(&motion, models);
         self.fill_friction(separation, &mut models.strips);
         for index in first..models.strips.zones.len() {
             let zone = models.strips.zones[index];
             if zone.load <= 0.0 || zone.width <= 0.0 {
                 continue;
             }
-            let surface = match &lifting {
-                Some(lifting) => {
-                    T::zone_surface(&self.line, self.contact.u, lifting, &zone, models)
-                }
-                None if self.rail.varies() || self.line.varies_around() => {
-                    self.met_surface(&zone, models)
-                }
-                None => ZoneSurface::even(),
+            let surface = if self.rail.varies() || self.line.varies_around() {
+                self.met_surface(&zone, models)
+            } else {
+                ZoneSurface::even()
             };
             let rolling = self.rolling(&motion, zone, &surface, load_factor, models.minimum_speed);
             let law = self.under_law(&motion, models, &rolling);

@@ -1,6 +1,5 @@
 //! Place and direction of a patch on bodies that are not even along the track.
 
-use crate::geometry::contacts::line_separation::Lifting;
 use crate::geometry::rail::varying_rail::Along;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -52,30 +51,6 @@ impl<T: Real> ZoneSurface<T> {
     }
 }
 
-impl ZoneSurface {
-    /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to
-    /// which the strip with a parameter belongs [m].
-    ///
-    /// The normal force follows the rail's surface where the rail alone could push along the track:
-    /// on an even rail it has no part along x, and on a round wheel it has no moment about the
-    /// axle. Both are exact for frictionless bodies. A round wheel on a corrugated rail leans as
-    /// its own radius at the centroid does.
-    #[must_use]
-    pub fn new(
-        lifting: &Lifting,
-        zone: &Zone,
-        strips: &Strips,
-        centre: impl Fn(f64) -> f64,
-    ) -> Self {
-        let Lifting { deviations, radius, share } = *lifting;
-        let to = ahead(zone, strips, centre);
-        let [deviation, slope] = deviations.wheel_deviation(zone.x);
-        let lean = if deviations.has_uneven_rail() { share * (to / radius - slope) } else { 0.0 };
-        let depth = share * (deviation - 0.5 * to * to / radius);
-        Self { depth, radius: deviation, lean, ahead: 0.0 }
-    }
-}
-
 /// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the
 /// parameter of a strip [m].
 pub fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
@@ -89,18 +64,4 @@ pub fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> 
     }
     // The pressure leans with the surfaces where they are nearest, not with its own middle.
     if load > 0.0 { ahead / load - zone.off } else { zero }
-}
-
-/// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on
-/// and turns on over their deviations: with the forward `velocity` [m/s] and the `pitch_rate`
-/// [rad/s] of a wheel of `nominal_radius` [m].
-#[must_use]
-pub fn closing_speed<T: Real>(
-    lifting: &Lifting,
-    [rail, wheel]: [f64; 2],
-    velocity: T,
-    pitch_rate: T,
-    nominal_radius: f64,
-) -> T {
-    (velocity * rail - pitch_rate * wheel * nominal_radius) * lifting.share
 }

@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::element::parameters::Parameters;
 use crate::error::ContactError;
-use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::uneven::waviness::{Flat, FlatShape, Harmonic, Waviness};
 use crate::io::{Deviations, load_deviations};
 
@@ -72,19 +71,4 @@ pub fn rail_deviations(
         waviness.set_table(&load_deviations(&name, file, body, folders)?);
     }
     Ok(waviness)
-}
-
-/// Deviations of wheel and rail number `k` together, if there are any.
-///
-/// # Errors
-/// A file that cannot be used.
-pub fn deviations(
-    parameters: &Parameters,
-    k: usize,
-    folders: &[PathBuf],
-) -> Result<Option<Longitudinal>, ContactError> {
-    let radius = parameters.wheel.nominal_radius;
-    let wheel = wheel_deviations(parameters, folders)?;
-    let rail = rail_deviations(parameters, k, folders)?;
-    Ok(Longitudinal::new(wheel, rail, radius))
 }

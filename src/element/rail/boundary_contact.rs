@@ -23,17 +23,17 @@ const ROOM: usize = 2;
 
 /// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and
 /// adds the forces to `output`; returns how many zones found no room or fell back to a simpler
-/// model, and nothing where there is no solution. `forces` brings a contact to forces, with its
-/// slopes along the track and the load and penetration that share its stiffness.
+/// model, and nothing where there is no solution. `forces` brings a contact to forces, with the
+/// load and penetration that share its stiffness.
 pub fn add<'a>(
     rail: &PlacedRail,
     search: &ContactSearch,
-    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactSetup<'a>,
+    forces: &impl Fn(Contact, Damped<f64>) -> ContactSetup<'a>,
     models: &mut Models,
     output: &mut Output,
     work: &mut Work,
 ) -> Option<u64> {
-    let ContactSetup { line, k, .. } = forces(*search.contacts.first()?, [0.0; 2], Damped::Alone);
+    let ContactSetup { line, k, .. } = forces(*search.contacts.first()?, Damped::Alone);
     let modulus = models.material.contact_modulus;
     let is_coupled = models.is_coupled();
     let room = if is_coupled { ROOM } else { 0 };
@@ -45,7 +45,7 @@ pub fn add<'a>(
     let mut left_out = elements.fill(&mut models.rail_strips) as u64;
     let mut zones = rolling_zones(&elements, rail, forces, models);
     let found = if let Some(zone) = zones.first() {
-        let setup = forces(zone.contact, [0.0; 2], zone.damped);
+        let setup = forces(zone.contact, zone.damped);
         let rolling = RailRolling::of(&setup);
         let mut coupled = None;
         if is_coupled && rolling.has_friction(&elements, &zones, models) {
@@ -82,7 +82,7 @@ pub fn add<'a>(
     {
         take_zone(&elements, rail, index, models);
         models.given = given.pop();
-        let forces = ContactSetup { resultant_share, ..forces(contact, [0.0; 2], damped) };
+        let forces = ContactSetup { resultant_share, ..forces(contact, damped) };
         let mut separation = LineSeparation::new(&forces.line, rail, contact);
         left_out += forces.add_forces(&mut separation, models, output, work);
     }
@@ -93,7 +93,7 @@ pub fn add<'a>(
 fn rolling_zones<'a>(
     elements: &RailElements,
     rail: &PlacedRail,
-    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactSetup<'a>,
+    forces: &impl Fn(Contact, Damped<f64>) -> ContactSetup<'a>,
     models: &mut Models,
 ) -> Vec<ZoneState> {
     let damped = Damped::Together([models.rail_strips.load(), elements.approach]);
@@ -101,7 +101,7 @@ fn rolling_zones<'a>(
     for index in 0..models.rail_strips.zones.len() {
         let (contact, resultant_share) = take_zone(elements, rail, index, models);
         let Zone { x, y, .. } = models.rail_strips.zones[index];
-        let forces = forces(contact, [0.0; 2], damped);
+        let forces = forces(contact, damped);
         let separation = LineSeparation::new(&forces.line, rail, contact);
         forces.fill_friction(&separation, &mut models.strips);
         let state = forces.rolling_state(models);

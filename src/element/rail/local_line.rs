@@ -9,8 +9,7 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::{Along, VaryingRail};
-use crate::geometry::uneven::longitudinal::Longitudinal;
-use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
+use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
 use crate::normal::least_energy::{LinePlace, OverlapLine};
 
@@ -46,18 +45,6 @@ impl<'a> LocalLine<'a> {
         Self { depth, ..Self::new(line, rail, &search.contacts[0]) }
     }
 
-    /// The point of the wheel at parameter `u` that is nearest to the rail along the track, and the
-    /// derivative of its (y, z).
-    fn point(&self, u: f64) -> (LinePoint, [f64; 2]) {
-        match self.line.deviations() {
-            None => self.line.even_with_derivative(u),
-            Some(deviations) => {
-                let (point, derivative, _) = self.line.lifted_with_derivative(u, deviations);
-                (point, derivative)
-            }
-        }
-    }
-
     /// Place along the track at parameter `s` of a rail that varies along it; the place `x` of the
     /// contact line on others [m].
     fn met(&self, s: f64, x: f64) -> f64 {
@@ -65,8 +52,7 @@ impl<'a> LocalLine<'a> {
     }
 
     /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
-    /// varies, under a wheel whose section varies around; waves of both are bridged as on an even
-    /// rail [m].
+    /// varies, under a wheel whose section varies around; waves of both are bridged [m].
     fn varying_radius(&self, place: &LinePlace) -> f64 {
         let LinePlace { u, y, x, tangent: [ty, tz], overlap, .. } = *place;
         let mut even = self.line.wheel_point(u).section_radius;
@@ -111,16 +97,6 @@ impl<'a> LocalLine<'a> {
     fn bridge(&self, even: f64) -> f64 {
         STATION * (even * self.depth).sqrt()
     }
-
-    /// Radius of the section along x of wheel and rail together at parameter `u`, with their
-    /// deviations over the length of the [`bridge`](Self::bridge) [m].
-    #[cold]
-    fn uneven_radius(&self, u: f64, deviations: &Longitudinal) -> f64 {
-        let even = self.line.wheel_point(u).section_radius;
-        let (at, _, radius) = self.line.lifted_with_derivative(u, deviations);
-        let share = radius * deviations.mean_curvature(radius, at.x, self.bridge(even));
-        even / share.max(MIN_CURVATURE_SHARE)
-    }
 }
 
 impl LocalLine<'_> {
@@ -128,7 +104,7 @@ impl LocalLine<'_> {
     pub fn whole_place(&mut self, u: f64) -> LinePlace {
         let [start, end] = self.line.range();
         let u = u.clamp(start, end);
-        let (at, derivative) = self.point(u);
+        let (at, derivative) = self.line.with_derivative(u);
         let [near_u, near_s, rate] = self.near;
         // Far from the last place the guess may be anywhere.
         let guess = if (u - near_u).abs() < FAR {
@@ -171,10 +147,7 @@ impl OverlapLine for LocalLine<'_> {
         if varying.is_some() || self.line.varies_around() {
             return self.varying_radius(at);
         }
-        match self.line.deviations() {
-            None => self.line.wheel_point(at.u).section_radius,
-            Some(deviations) => self.uneven_radius(at.u, deviations),
-        }
+        self.line.wheel_point(at.u).section_radius
     }
 }
 

@@ -59,8 +59,7 @@ pub const UNSETTLED: Kink = "the equations of the strips are singular";
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
 
 impl RailContact {
-    /// As [`evaluate`](Self::evaluate) with derivatives, for bodies without deviations along the
-    /// track.
+    /// As [`evaluate`](Self::evaluate) with derivatives, for bodies without waves.
     ///
     /// # Errors
     /// What has no derivative; `output` and `models` then hold a part.
@@ -127,7 +126,7 @@ impl RailContact {
             line: moving,
             rail: outline,
             contact,
-            slopes: [0.0; 2],
+            waves: None,
             damped,
             resultant_share,
             ahead,
@@ -148,7 +147,6 @@ impl RailContact {
                 motion: &relative_motion(input, k, &frame),
                 frame: &frame,
                 whole: [models.rail_strips.load(), deepest],
-                deviations: None,
                 rail: outline,
                 speeds: rail_speeds(input, k, rail, &frame),
                 around: None,

@@ -35,7 +35,7 @@ impl<T: Real> MovingLocal<'_, T> {
     /// The place at parameter `u`, its strip as if the rail had no end.
     fn whole_place(&mut self, u: T) -> LinePlace<T> {
         let found = self.found.whole_place(u.value());
-        let (at, derivative) = self.line.even_with_derivative(u);
+        let (at, derivative) = self.line.with_derivative(u);
         let on = self.rail.at(found.y.into());
         let to = |point: [T; 2]| [at.point[0] - point[0], at.point[1] - point[1]];
         let dot = |a: [T; 2], b: [T; 2]| a[0] * b[0] + a[1] * b[1];
@@ -137,7 +137,7 @@ pub fn take_zone<T: Real>(
     let mut local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
     let taken = zone_in_frame(index, damping, models, |u| {
         let LinePlace { x, tangent, overlap, .. } = local.place(u);
-        let at = line.even_at(u);
+        let at = line.at(u);
         LocalPlace { point: at.point, tangent, overlap, ahead: x - at.x }
     });
     let deepest = deepest_within(search, of_last_zone(&models.strips));

@@ -13,7 +13,6 @@ use crate::geometry::curves::curve::Curve;
 use crate::geometry::profiles::profile::{Profile, ProfileKind};
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::varying_rail::VaryingRail;
-use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::{ContactLine, WheelPose};
 use crate::geometry::wheel::varying_wheel::VaryingWheel;
 use crate::math::fixed_vec::FixedVec;
@@ -37,8 +36,6 @@ pub struct RailContact {
     pub(in crate::element) search: ContactSearch,
     /// Distance of the contact line from the rail over all contacts.
     pub(in crate::element) probes: FixedVec<Probe>,
-    /// Deviations of wheel and rail along the track, if there are any.
-    pub(in crate::element) deviations: Option<Longitudinal>,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub(in crate::element) friction: Option<RailFriction>,
 }
@@ -68,7 +65,6 @@ impl RailContact {
         rail_name: &str,
         parameters: &Parameters,
         rail: PlacedRail,
-        deviations: Option<Longitudinal>,
         friction: Option<RailFriction>,
     ) -> Self {
         let nominal_radius = parameters.wheel.nominal_radius;
@@ -93,7 +89,6 @@ impl RailContact {
             rail_name: rail_name.into(),
             nominal_radius,
             rail,
-            deviations,
             friction,
         }
     }
@@ -195,7 +190,7 @@ impl RailContact {
             return false;
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
+        let line = varying(line, self.around.as_deref());
         if !self.rail.pass(&line, &pose, place, pitch) {
             return false;
         }
@@ -221,16 +216,11 @@ impl RailContact {
         is_there
     }
 
-    /// Fills `ranges` with the stretches of the contact line that may touch, and places the
-    /// deviations along the track; false where there are none.
+    /// Fills `ranges` with the stretches of the contact line that may touch; false where there are
+    /// none.
     fn find_ranges(&mut self, input: &Input, pose: &WheelPose) -> bool {
         let mut lowest = *pose;
         lowest.marker[2] += self.highest();
-        if let Some(deviations) = &mut self.deviations {
-            let station = input.track_s + input.wheel.position[0];
-            let ahead = (2.0 * self.nominal_radius + 0.1) * pose.yaw.abs();
-            deviations.place(station, input.wheel.pitch, ahead);
-        }
         let around = self.around.as_deref();
         let clearances = around.map_or(&self.clearances, |around| &around.clearances);
         clearances.at(self.station(input)).ranges(&lowest, &mut self.ranges);
@@ -270,8 +260,7 @@ impl RailContact {
 
     /// How much nearer the bodies can be than the profiles of the clearance [m].
     fn highest(&self) -> f64 {
-        let of_rail = self.rail.variation().map_or(0.0, VaryingRail::highest);
-        of_rail + self.deviations.as_ref().map_or(0.0, Longitudinal::highest)
+        self.rail.variation().map_or(0.0, VaryingRail::highest)
     }
 
     /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it
@@ -291,13 +280,10 @@ impl RailContact {
     }
 }
 
-/// The line with deviations along the track, if there are any, and of a wheel that varies around,
-/// if it does.
-pub(in crate::element) fn with<'a>(
+/// The `line` of a wheel that varies `around`, if it does.
+pub(in crate::element) fn varying<'a>(
     line: ContactLine<'a>,
-    deviations: Option<&'a Longitudinal>,
     around: Option<&'a Around>,
 ) -> ContactLine<'a> {
-    let line = deviations.map_or(line, |deviations| line.with_deviations(deviations));
     around.map_or(line, |around| line.varying(&around.wheel))
 }

@@ -4,17 +4,17 @@
 use super::boundary_contact;
 use super::flattened::FlatContact;
 use super::local_line::MIN_CURVATURE_SHARE;
-use super::rail_contact::{RailContact, STEEPEST, with};
+use super::rail_contact::{RailContact, STEEPEST, varying};
 use super::strip_contact::{self, MAX_STRIP_DEPTH};
-use crate::element::contact::contact_setup::{ContactSetup, Damped};
+use crate::element::contact::contact_setup::{ContactSetup, ContactWaves, Damped};
 use crate::element::contact::models::Models;
 use crate::element::input::Input;
 use crate::element::output::Output;
 use crate::element::work::Work;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
-use crate::geometry::contacts::line_separation::{Lifting, LineSeparation};
-use crate::geometry::contacts::separation::Separation;
+use crate::geometry::contacts::line_separation::LineSeparation;
+use crate::geometry::contacts::waves_along::WavesAlong;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
@@ -37,7 +37,7 @@ impl RailContact {
         let frame = self.frame(k, input);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
-        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
+        let line = varying(line, self.around.as_deref());
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let even_radius = line.wheel_point(contact.u).section_radius;
@@ -53,7 +53,7 @@ impl RailContact {
                 line,
                 rail: RailOutline::at_rest(&self.rail),
                 contact,
-                slopes: [0.0; 2],
+                waves: None,
                 damped: Damped::Alone,
                 resultant_share: 1.0,
                 ahead: None,
@@ -127,7 +127,7 @@ impl RailContact {
         let frame = self.frame(k, input);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
-        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
+        let line = varying(line, self.around.as_deref());
         let normal = match models.normal {
             NormalModel::Strips | NormalModel::BoundaryElement => NormalModel::PiotrowskiKik,
             by_contacts => by_contacts,
@@ -162,7 +162,7 @@ impl RailContact {
                 line,
                 rail: RailOutline::at_rest(rail),
                 contact: pressed.contact,
-                slopes: pressed.slopes,
+                waves: pressed.waves,
                 damped: Damped::Alone,
                 resultant_share: 1.0,
                 ahead: None,
@@ -188,16 +188,16 @@ impl RailContact {
         let frame = self.frame(k, input);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
-        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
+        let line = varying(line, self.around.as_deref());
         let mut left_out = 0;
-        let forces = |contact, slopes, damped| ContactSetup {
+        let forces = |contact, damped| ContactSetup {
             k,
             input,
             frame,
             line,
             rail: RailOutline::at_rest(&self.rail),
             contact,
-            slopes,
+            waves: None,
             damped,
             resultant_share: 1.0,
             ahead: None,
@@ -208,10 +208,9 @@ impl RailContact {
         let is_deep = self.search.contacts.iter().any(|c| c.penetration > MAX_STRIP_DEPTH);
         if models.strip_solver.is_some() && !is_deep {
             let (search, probes) = (&self.search, &mut self.probes);
-            let deviations = self.deviations.as_ref();
-            return strip_contact::add(search, probes, deviations, &forces, models, output, work);
+            return strip_contact::add(search, probes, &forces, models, output, work);
         }
-        let is_boundary = models.normal == NormalModel::BoundaryElement && models.uneven.is_none();
+        let is_boundary = models.normal == NormalModel::BoundaryElement;
         if is_boundary && !self.search.contacts.is_empty() {
             let search = &self.search;
             let added = boundary_contact::add(&self.rail, search, &forces, models, output, work);
@@ -227,14 +226,10 @@ impl RailContact {
         for index in 0..self.search.contacts.len() {
             let (rail, search) = (&self.rail, &mut self.search);
             let pressed = press(&line, rail, search, index, models.normal, 0.0, models);
-            let Pressed { contact, mut separation, slopes, no_room } = pressed;
+            let Pressed { contact, mut separation, waves, no_room } = pressed;
             left_out += no_room as u64;
-            left_out += forces(contact, slopes, Damped::Alone).add_forces(
-                &mut separation,
-                models,
-                output,
-                work,
-            );
+            let forces = ContactSetup { waves, ..forces(contact, Damped::Alone) };
+            left_out += forces.add_forces(&mut separation, models, output, work);
         }
         left_out
     }
@@ -244,8 +239,8 @@ impl RailContact {
 struct Pressed<'a> {
     contact: Contact,
     separation: LineSeparation<'a>,
-    /// Slopes of rail and wheel along the track in the contact [-].
-    slopes: [f64; 2],
+    /// See [`ContactSetup::waves`].
+    waves: Option<ContactWaves<'a>>,
     /// Zones that found no room.
     no_room: usize,
 }
@@ -266,17 +261,8 @@ fn press<'a>(
     search.refine_probes(&contact, &mut separation);
     models.strips.clear();
     let even_radius = line.wheel_point(contact.u).section_radius;
-    let lifting = separation.lifting();
-    let radius = lifting.map_or_else(
-        || {
-            RailOutline::at_rest(rail).radius_along(
-                even_radius,
-                contact.rail_s,
-                MIN_CURVATURE_SHARE,
-            )
-        },
-        |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
-    );
+    let outline = RailOutline::at_rest(rail);
+    let radius = outline.radius_along(even_radius, contact.rail_s, MIN_CURVATURE_SHARE);
     let problem = NormalProblem {
         approach: contact.penetration + deeper,
         radius,
@@ -288,39 +274,16 @@ fn press<'a>(
     };
     let probes = &search.probes[contact.probes[0]..contact.probes[1]];
     let uneven = models.uneven.as_mut().filter(|_| normal != NormalModel::Hertz);
-    let mut slopes = [0.0; 2];
-    let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
-        let no_room = uneven.solve(
-            &problem,
-            models.virtual_penetration,
-            &mut separation,
-            lifting,
-            probes,
-            &mut models.strips,
-        );
-        slopes = uneven.slopes;
-        no_room
+    let waves = uneven.zip(WavesAlong::of(line, rail, &contact, MIN_CURVATURE_SHARE));
+    let depth = models.virtual_penetration;
+    let strips = &mut models.strips;
+    let (no_room, waves) = if let Some((uneven, waves)) = waves {
+        let (no_room, steeper) =
+            uneven.solve(&problem, depth, &mut separation, &waves, probes, strips);
+        (no_room, Some(ContactWaves { section: waves.section, steeper }))
     } else {
-        if let Some(lifting) = &lifting {
-            slopes = lifting.deviations.slopes(separation.at(contact.u).x);
-        }
-        normal::solve(
-            normal,
-            models.virtual_penetration,
-            models.shape_fit,
-            &problem,
-            &mut separation,
-            probes,
-            &mut models.strips,
-        )
+        let fit = models.shape_fit;
+        (normal::solve(normal, depth, fit, &problem, &mut separation, probes, strips), None)
     };
-    Pressed { contact, separation, slopes, no_room }
-}
-
-/// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose
-/// even section has `radius` [m].
-fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
-    let [_, _, curvature] = lifting.deviations.nearness(x);
-    let even = 1.0 / radius;
-    1.0 / (even - lifting.share * curvature).max(MIN_CURVATURE_SHARE * even)
+    Pressed { contact, separation, waves, no_room }
 }

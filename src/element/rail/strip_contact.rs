@@ -17,7 +17,6 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::separation::Probe;
 use crate::geometry::rail::placed_rail::PlacedRail;
-use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::normal::least_energy::{LinePlace, OverlapLine};
 
@@ -58,14 +57,13 @@ pub fn solve(
 pub fn add<'a>(
     search: &ContactSearch,
     probes: &mut Vec<Probe>,
-    deviations: Option<&Longitudinal>,
-    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactSetup<'a>,
+    forces: &impl Fn(Contact, Damped<f64>) -> ContactSetup<'a>,
     models: &mut Models,
     output: &mut Output,
     work: &mut Work,
 ) -> u64 {
     let Some(&first) = search.contacts.first() else { return 0 };
-    let of_rail = forces(first, [0.0; 2], Damped::Alone);
+    let of_rail = forces(first, Damped::Alone);
     let ContactSetup { input, line, rail, frame, .. } = &of_rail;
     let placed = rail.rail;
     if let Some(descent) = &mut models.descent {
@@ -74,13 +72,10 @@ pub fn add<'a>(
     }
     let mut left_out = solve(line, placed, search, probes, models) as u64;
     output.normal_residual = output.normal_residual.max(models.normal_residual());
-    let wheel = &input.wheel;
-    let speeds = [wheel.velocity[0], wheel.pitch_rate * line.nominal_radius()];
     let damping = StripDamping {
         motion: &of_rail.motion(),
         frame,
         whole: whole(models, search),
-        deviations: deviations.map(|deviations| (deviations, speeds)),
         rail: *rail,
         speeds: rail_speeds(input, of_rail.k, placed, frame),
         around: Some(line).filter(|line| line.varies_around()),
@@ -91,7 +86,7 @@ pub fn add<'a>(
     let setup = |TakenZone { contact, load_factor, resultant_share, ahead }| ContactSetup {
         resultant_share,
         ahead: Some(ahead),
-        ..forces(contact, [0.0; 2], Damped::By(load_factor))
+        ..forces(contact, Damped::By(load_factor))
     };
     for zone in 0..models.rail_strips.zones.len() {
         let taken = take_zone(line, placed, search, zone, &damping, models);

@@ -2,7 +2,6 @@
 
 use crate::element::contact::rail_frame::RailFrame;
 use crate::geometry::rail::rail_outline::RailOutline;
-use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::kinematics::creepage::RelativeMotion;
 use crate::math::real::Real;
@@ -21,9 +20,6 @@ pub struct StripDamping<'a, T: Real = f64> {
     pub frame: &'a RailFrame<T>,
     /// Load of all strips of the rail and deepest penetration, which share one stiffness [N, m].
     pub whole: [T; 2],
-    /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and
-    /// by turning [m/s].
-    pub deviations: Option<(&'a Longitudinal, [T; 2])>,
     /// The outline of the rail, and the speeds of
     /// [`closing_speed`](RailOutline::closing_speed) on one that varies along the track [m/s].
     pub rail: RailOutline<'a, T>,
@@ -60,11 +56,7 @@ impl<T: Real> StripDamping<'_, T> {
             along.map_or(even, |along| even + self.rail.closing_speed(&along, y, x, self.speeds));
         let lever = along.map_or(T::from(0.0), |along| along.lever);
         let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
-        let even = even + self.motion.turning_velocity(self.frame.along() * ahead).dot(&normal);
-        let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
-            let [rail, wheel] = deviations.slopes(x.value());
-            even + (forward * rail - turning * wheel) * tangent[0]
-        });
+        let closing = even + self.motion.turning_velocity(self.frame.along() * ahead).dot(&normal);
         (damping::damped_load(load, penetration, closing, coefficient) / load).at_least(MIN_FACTOR)
     }
 }

@@ -384,6 +384,6 @@ impl ContactSearch {
 /// Length of the line over its parameter at `u` [-]: a yawed one runs fast where the profile is
 /// steep and curved.
 fn stretch(line: &ContactLine, u: f64) -> f64 {
-    let (_, [dy, dz]) = line.even_with_derivative(u);
+    let (_, [dy, dz]) = line.with_derivative(u);
     dy.hypotenuse(dz)
 }

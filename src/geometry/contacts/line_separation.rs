@@ -9,7 +9,6 @@ mod lanes;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::separation::{FrameSeparation, Separation, SeparationPoint};
 use crate::geometry::rail::placed_rail::PlacedRail;
-use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
 
@@ -19,31 +18,13 @@ pub struct LineSeparation<'a> {
     line: &'a ContactLine<'a>,
     rail: &'a PlacedRail,
     contact: Contact,
-    /// Radius of the wheel's circles and the share of a lift along the normal, where there are
-    /// deviations along the track.
-    lifting: Option<Lifting<'a>>,
     /// Parameter of the rail and lateral coordinate of the last point, and the derivative of the
     /// one by the other: the next point is near.
     near: [f64; 3],
 }
 
-/// Deviations along the track as the frame of a contact sees them.
-#[derive(Clone, Copy, Debug)]
-pub struct Lifting<'a> {
-    /// The deviations of both bodies.
-    pub deviations: &'a Longitudinal,
-    /// Radius r of the circles that the wheel shows the rail, so that r/share is that of the normal
-    /// section [m].
-    pub radius: f64,
-    /// Component along the normal of a unit of lift, the cosine of the contact angle [-].
-    pub share: f64,
-}
-
 /// The separation of a contact line and a rail, with derivatives where the numbers have them.
-pub trait RailSeparation<'a, T: Real>: FrameSeparation<T> {
-    /// How the bodies deviate along the track from even ones.
-    fn lifting(&self) -> Option<Lifting<'a>>;
-
+pub trait RailSeparation<T: Real>: FrameSeparation<T> {
     /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact
     /// point where there is none [m].
     fn rail_parameter(&mut self, u: T) -> T;
@@ -60,24 +41,13 @@ impl<'a> LineSeparation<'a> {
     /// The separation in the frame of `contact`.
     #[must_use]
     pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: Contact) -> Self {
-        let lifting = line.deviations().map(|deviations| Lifting {
-            deviations,
-            radius: line.lifting_radius(contact.u),
-            share: line.lifting_share(contact.normal()),
-        });
-        Self { line, rail, contact, lifting, near: [contact.rail_s, 0.0, 1.0] }
+        Self { line, rail, contact, near: [contact.rail_s, 0.0, 1.0] }
     }
 
-    /// How the bodies deviate along the track from even ones.
-    #[must_use]
-    pub fn lifting(&self) -> Option<Lifting<'a>> {
-        self.lifting
-    }
-
-    /// Place x_l of the even contact line at parameter `u`, from the wheel marker [m].
+    /// Place of the contact line at parameter `u`, from the wheel marker [m].
     #[must_use]
     pub fn centre(&self, u: f64) -> f64 {
-        self.line.even_at(u).x
+        self.line.at(u).x
     }
 
     /// Parameter of the rail opposite to lateral coordinate `y` of the frame, the rail's coordinate
@@ -133,11 +103,11 @@ impl<'a> LineSeparation<'a> {
         None
     }
 
-    /// The separation without deviations along the track and its derivative by the parameter of the
+    /// The separation, but for where along the track that is, and its derivative by the parameter of the
     /// line [m, -].
     #[inline]
-    fn even_with_rate(&mut self, u: f64) -> (SeparationPoint, f64) {
-        let (at, derivative) = self.line.even_with_derivative(u);
+    fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
+        let (at, derivative) = self.line.with_derivative(u);
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
         let y = to[0] * tangent[0] + to[1] * tangent[1];
@@ -158,18 +128,14 @@ impl<'a> LineSeparation<'a> {
 
     /// As [`RailSeparation::rail_parameter`]; nothing where no point of the rail lies opposite.
     pub(in crate::geometry) fn opposite_parameter(&mut self, u: f64) -> Option<f64> {
-        let point = self.line.even_at(u).point;
+        let point = self.line.at(u).point;
         let [o, t] = [self.contact.origin, self.contact.tangent];
         let y = (point[0] - o[0]) * t[0] + (point[1] - o[1]) * t[1];
         self.opposite(y).map(|found| found[0])
     }
 }
 
-impl<'a> RailSeparation<'a, f64> for LineSeparation<'a> {
-    fn lifting(&self) -> Option<Lifting<'a>> {
-        self.lifting
-    }
-
+impl RailSeparation<f64> for LineSeparation<'_> {
     fn rail_parameter(&mut self, u: f64) -> f64 {
         self.opposite_parameter(u).unwrap_or(self.contact.rail_s)
     }
@@ -178,14 +144,10 @@ impl<'a> RailSeparation<'a, f64> for LineSeparation<'a> {
 impl Separation for LineSeparation<'_> {
     #[inline]
     fn at(&mut self, u: f64) -> SeparationPoint {
-        let (point, _) = self.even_with_rate(u);
-        let Some(lifting) = self.lifting else {
-            let Some(varying) = self.rail.variation() else { return point };
-            let x = point.x + varying.ahead(self.near[0]);
-            return SeparationPoint { x, ..point };
-        };
-        let lift = lifting.deviations.lift(point.x, lifting.radius);
-        SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
+        let (point, _) = self.with_slope(u);
+        let Some(varying) = self.rail.variation() else { return point };
+        let x = point.x + varying.ahead(self.near[0]);
+        SeparationPoint { x, ..point }
     }
 
     fn fill(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
@@ -194,10 +156,8 @@ impl Separation for LineSeparation<'_> {
 
     #[inline]
     fn with_rate(&mut self, u: f64) -> Option<[f64; 2]> {
-        self.lifting.is_none().then(|| {
-            let (point, rate) = self.even_with_rate(u);
-            [point.f, rate]
-        })
+        let (point, rate) = self.with_slope(u);
+        Some([point.f, rate])
     }
 
     fn along(&mut self, u: f64) -> f64 {

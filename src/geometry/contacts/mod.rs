@@ -12,3 +12,4 @@ pub(crate) mod moving_contact;
 pub(crate) mod moving_separation;
 #[doc(hidden)]
 pub mod separation;
+pub(crate) mod waves_along;

@@ -21,7 +21,7 @@ const PARALLEL: f64 = 1e-6;
 
 /// The two equations of a place where the lines are parallel and face each other.
 fn equations<T: Real>(line: &ContactLine<T>, on: &CurvePoint<T>, u: T) -> [T; 2] {
-    let at = line.even_at(u);
+    let at = line.at(u);
     let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
     let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
     [along(to), at.tangent[0] * on.first[1] - at.tangent[1] * on.first[0]]
@@ -61,7 +61,7 @@ impl Contact {
         rail: &RailOutline<T>,
     ) -> Option<Contact<T>> {
         let [u, s] = moving_place(line, rail, self.u, self.rail_s)?;
-        let (at, on) = (line.even_at(u), rail.at(s));
+        let (at, on) = (line.at(u), rail.at(s));
         let slowness =
             T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
         let tangent = on.first.map(|first| first * slowness);

@@ -1,9 +1,7 @@
 //! The separation of wheel and rail in the frame of a contact that moves, with derivatives.
 
 use crate::geometry::contacts::contact::Contact;
-use crate::geometry::contacts::line_separation::{
-    Lifting, LineSeparation, MIN_COSINE, RailSeparation,
-};
+use crate::geometry::contacts::line_separation::{LineSeparation, MIN_COSINE, RailSeparation};
 use crate::geometry::contacts::moving_contact::moving_place;
 use crate::geometry::contacts::separation::{FrameSeparation, Probe, Separation, SeparationPoint};
 use crate::geometry::rail::rail_outline::RailOutline;
@@ -64,7 +62,7 @@ impl<'a, T: Real> MovingSeparation<'a, T> {
 impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
     fn point(&mut self, u: T) -> SeparationPoint<T> {
         let found = self.values.at(u.value());
-        let (at, derivative) = self.line.even_with_derivative(u);
+        let (at, derivative) = self.line.with_derivative(u);
         let [y, depth] = self.in_frame(at.point);
         let tangent = self.contact.tangent;
         let dy = (derivative[0] * tangent[0] + derivative[1] * tangent[1]).at_least(MIN_COSINE);
@@ -78,7 +76,7 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
     }
 
     fn centre_at(&mut self, u: T) -> T {
-        let at = self.line.even_at(u);
+        let at = self.line.at(u);
         if !self.rail.varies() {
             return at.x;
         }
@@ -98,7 +96,7 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
 
     fn edge(&mut self, u: f64, level: T) -> T {
         let excess = self.point(u.into()).f - level;
-        let (at, derivative) = self.line.even_with_derivative(u.into());
+        let (at, derivative) = self.line.with_derivative(u.into());
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let along = |axis: [T; 2]| derivative[0] * axis[0] + derivative[1] * axis[1];
         let y = self.in_frame(at.point)[0];
@@ -114,7 +112,7 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
 
     fn minimum(&mut self, probe: &Probe) -> T {
         let near = self.values.opposite_parameter(probe.u);
-        let point = self.line.value().even_at(probe.u).point;
+        let point = self.line.value().at(probe.u).point;
         let near = near.unwrap_or_else(|| self.rail.rail.coarse_nearest(point));
         let s = self.rail.rail.nearest(point, near, NEAREST).s;
         if let Some([u, _]) = moving_place(self.line, &self.rail, probe.u, s) {
@@ -131,15 +129,11 @@ const EDGE_SHARE: f64 = 1e-6;
 /// Last Newton step towards a nearest point [m].
 const NEAREST: f64 = 1e-9;
 
-impl<'a, T: Real> RailSeparation<'a, T> for MovingSeparation<'a, T> {
-    fn lifting(&self) -> Option<Lifting<'a>> {
-        None
-    }
-
+impl<T: Real> RailSeparation<T> for MovingSeparation<'_, T> {
     fn rail_parameter(&mut self, u: T) -> T {
         match self.values.opposite_parameter(u.value()) {
             Some(s) => {
-                let [y, _] = self.in_frame(self.line.even_at(u).point);
+                let [y, _] = self.in_frame(self.line.at(u).point);
                 self.opposite(s, y)[0]
             }
             None => self.contact.rail_s,

@@ -36,7 +36,8 @@ use self::meeting::Meeting;
 pub use self::moving_outline::MovingOutline;
 use self::over::Over;
 use self::touch::Touch;
-use self::waves::{Waves, bulge_over};
+pub(in crate::geometry) use self::waves::MIN_REACH;
+use self::waves::{WheelWaves, bulge_over};
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::curves::arc_length::ArcLength;
@@ -44,13 +45,18 @@ use crate::geometry::curves::curve::{Curve, Knot};
 use crate::geometry::rail::course::Course;
 pub use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::envelope::Envelope;
+use crate::geometry::sections::rows::met::Met;
 use crate::geometry::sections::rows::roller::Roller;
 use crate::geometry::sections::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, REACH_ALONG, Surface};
 use crate::geometry::sections::slices::Slices;
 use crate::geometry::uneven::waviness::Waviness;
+use crate::geometry::uneven::wavy_section::{Waves, WavySection};
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
+
+/// Way over which it is told how fast places on waves go with x [m].
+const RATE_REACH: f64 = 1e-3;
 
 /// A rail whose section varies.
 #[derive(Clone, Debug)]
@@ -244,7 +250,8 @@ impl VaryingRail {
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
         let Self { surface, bounds, few, wheel, meeting, waves, level, .. } = self;
         let within = surface.within(self.station);
-        let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, self.pitch));
+        let waves =
+            (!waves.is_empty()).then(|| WheelWaves::new(waves, self.nominal_radius, self.pitch));
         let course = level.as_ref().map(|(_, course)| *course);
         let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
         let touch = Touch { surface, bounds, wheel };
@@ -291,25 +298,55 @@ impl VaryingRail {
     /// point (x, y, z) than there [m], x from the marker of the wheel that passed last, y and z of
     /// the outline, positive where it bulges more [1/m]; nothing where it is as good as that.
     #[must_use]
-    pub fn bridged(&self, [x, y, z]: [f64; 3], reach: f64) -> Option<f64> {
-        let along_track = self.course().map_or(x, |course| course.on_rail([x, y, z])[0]);
-        let place = self.station + along_track;
-        let place = self.surface.roller.map_or(place, |roller| roller.arc(place, z));
-        let corrugation = &self.surface.corrugation;
+    pub fn bridged(&self, point: [f64; 3], reach: f64) -> Option<f64> {
+        let (corrugation, place) = (&self.surface.corrugation, self.place_on_rail(point));
         Some(bulge_over(corrugation, place, reach)? + corrugation.at(place)[2])
     }
 
     /// Curvature of the waves of the wheel over the distance `reach` to either side of the same
     /// point [m], positive where they bulge [1/m]; nothing where that of the place is as good.
     #[must_use]
-    pub fn waves_over(&self, [x, y, z]: [f64; 3], reach: f64) -> Option<f64> {
+    pub fn waves_over(&self, point: [f64; 3], reach: f64) -> Option<f64> {
+        bulge_over(&self.waves, self.place_on_wheel(point), reach)
+    }
+
+    /// The waves of rail and wheel about the same point, over x from the marker.
+    #[must_use]
+    pub fn waves_about(&self, [x, y, z]: [f64; 3]) -> WavySection<'_> {
+        let about = |surface, place: &dyn Fn([f64; 3]) -> f64| {
+            let [behind, here, ahead] =
+                [-RATE_REACH, 0.0, RATE_REACH].map(|way| place([x + way, y, z]));
+            let rate = (ahead - behind) / (2.0 * RATE_REACH);
+            Waves { surface, at: here - rate * x, rate }
+        };
+        WavySection::new(
+            about(&self.surface.corrugation, &|point| self.place_on_rail(point)),
+            about(&self.waves, &|point| self.place_on_wheel(point)),
+        )
+    }
+
+    /// The row of the outline nearest to its parameter `s` [m], where it is met.
+    #[must_use]
+    pub(in crate::geometry) fn met_near(&self, s: f64) -> Option<&Met> {
+        self.envelope.met_near(s)
+    }
+
+    /// Place on the corrugation at that point [m].
+    fn place_on_rail(&self, [x, y, z]: [f64; 3]) -> f64 {
+        let along_track = self.course().map_or(x, |course| course.on_rail([x, y, z])[0]);
+        let place = self.station + along_track;
+        self.surface.roller.map_or(place, |roller| roller.arc(place, z))
+    }
+
+    /// Place on the nominal rolling circle at that point [m].
+    fn place_on_wheel(&self, [x, y, z]: [f64; 3]) -> f64 {
         let WheelPose { marker, roll, yaw } = self.pose;
         let (sine, cosine) = roll.sin_cos();
         let (y, z) = (y - marker[1], z - marker[2]);
         let (across, below) = (y * cosine + z * sine, z * cosine - y * sine);
         let (sine, cosine) = yaw.sin_cos();
         let angle = (x * cosine + across * sine).atan2(below);
-        bulge_over(&self.waves, (angle - self.pitch) * self.nominal_radius, reach)
+        (angle - self.pitch) * self.nominal_radius
     }
 
     /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
@@ -340,7 +377,7 @@ impl VaryingRail {
             return None;
         }
         let slice = self.surface.within(self.station).slice;
-        let row = self.envelope.row_near(s)?;
+        let row = self.envelope.met_near(s)?.row;
         let run = self.surface.run(row, self.station, slice)?;
         let ends = self.surface.ends(row, run, self.station);
         Some(ends.map(|x| {

@@ -1,4 +1,5 @@
-//! Surfaces that are not even along the track: their deviation, and how a wheel is lifted by it.
+//! Surfaces that are not even along the track: their waves, and where along it they overlap.
 
-pub(crate) mod longitudinal;
+pub(crate) mod stretches;
 pub(crate) mod waviness;
+pub(crate) mod wavy_section;

@@ -17,12 +17,11 @@
 //! with its rim: see `contact_line::rim`.
 
 mod around;
-mod lifted;
+mod normal_section;
 mod rim;
 pub mod surface;
 
 use crate::geometry::curves::curve::{Curve, CurvePoint};
-use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::varying_wheel::VaryingWheel;
 pub use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
@@ -60,8 +59,6 @@ pub struct ContactLine<'a, T = f64> {
     ahead: [T; 2],
     /// (y, z) of e2, the direction down, across x and the axle.
     down: [T; 2],
-    /// Deviations of wheel and rail along the track, where there are any.
-    deviations: Option<&'a Longitudinal>,
     /// The wheel whose section varies around, of which the profile is that of the round wheel that
     /// takes its place.
     around: Option<&'a VaryingWheel>,
@@ -130,7 +127,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
             lead: axle[0] / cosine,
             ahead: [-axle[0] * axle[1] / cosine, -axle[0] * axle[2] / cosine],
             down: [-axle[2] / cosine, axle[1] / cosine],
-            deviations: None,
             around: None,
         }
     }
@@ -147,10 +143,10 @@ impl<'a, T: Real> ContactLine<'a, T> {
         [self.profile.start(), self.profile.end()]
     }
 
-    /// As [`at`](ContactLine::at), without deviations along the track.
+    /// The point at parameter `s` [m].
     #[inline]
     #[must_use]
-    pub fn even_at(&self, s: T) -> LinePoint<T> {
+    pub fn at(&self, s: T) -> LinePoint<T> {
         let p = self.profile.at(s);
         let on = self.circle(&p);
         let point =
@@ -158,11 +154,10 @@ impl<'a, T: Real> ContactLine<'a, T> {
         self.met(s, point)
     }
 
-    /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations
-    /// along the track.
+    /// The point at parameter `s` [m] and the derivative of its (y, z).
     #[inline]
     #[must_use]
-    pub fn even_with_derivative(&self, s: T) -> (LinePoint<T>, [T; 2]) {
+    pub fn with_derivative(&self, s: T) -> (LinePoint<T>, [T; 2]) {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
             let rim = self.rim(s, &p, &self.circle(&p));
@@ -172,7 +167,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
         (self.met(s, point), derivative)
     }
 
-    /// The point at parameter `s` [m] with its derivatives, without deviations along the track.
+    /// The point at parameter `s` [m] with its derivatives.
     #[must_use]
     pub(in crate::geometry) fn followed(&self, s: T) -> Followed<T> {
         let p = self.profile.at(s);
@@ -222,7 +217,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
     pub fn place(&self, s: T) -> T {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
-            return self.even_at(s).x;
+            return self.at(s).x;
         }
         let slope = p.first[1] / p.first[0].at_least(MIN_SLOPE_COSINE);
         self.place_on_circle(p.point[0], p.point[1], slope)
@@ -378,30 +373,12 @@ impl<'a, T: Real> ContactLine<'a, T> {
             lead: self.lead.value(),
             ahead: self.ahead.map(value),
             down: self.down.map(value),
-            deviations: self.deviations,
             around: self.around,
         }
     }
 }
 
 impl<'a> ContactLine<'a> {
-    /// The line of the same wheel where wheel and rail are not even along the track: every point is
-    /// as much lower as the two bodies are nearer to each other by their deviations.
-    #[must_use]
-    pub fn with_deviations(self, deviations: &'a Longitudinal) -> Self {
-        Self { deviations: Some(deviations), ..self }
-    }
-
-    /// The point at parameter `s` [m].
-    #[inline]
-    #[must_use]
-    pub fn at(&self, s: f64) -> LinePoint {
-        if let Some(deviations) = self.deviations {
-            return self.lifted(s, deviations);
-        }
-        self.even_at(s)
-    }
-
     /// The same line in other numbers, which do not move.
     #[must_use]
     pub fn fixed<T: Real>(&self) -> ContactLine<'a, T> {
@@ -414,7 +391,6 @@ impl<'a> ContactLine<'a> {
             lead: self.lead.into(),
             ahead: self.ahead.map(T::from),
             down: self.down.map(T::from),
-            deviations: self.deviations,
             around: self.around,
         }
     }
@@ -438,8 +414,7 @@ impl<'a> ContactLine<'a> {
     pub fn stretch_per_factor(&self) -> f64 {
         let least_cosine = (1.0 - MAX_SINE * MAX_SINE).sqrt();
         // No profile reaches beyond twice the nominal radius.
-        let even = 2.0 * self.nominal_radius * self.lead * self.lead / least_cosine;
-        even + self.deviations.map_or(0.0, |d| self.lift_stretch(d))
+        2.0 * self.nominal_radius * self.lead * self.lead / least_cosine
     }
 }
 

@@ -33,7 +33,7 @@ impl Section<'_> {
                 if probe.f >= contact.penetration {
                     continue;
                 }
-                let opposite = self.line.even_at(probe.u).point;
+                let opposite = self.line.at(probe.u).point;
                 let guess = self.rail.coarse_nearest(opposite);
                 let rail_s = self.rail.nearest(opposite, guess, LAST_STEP).s;
                 let arc = self.arcs.arc(rail_s);

@@ -103,7 +103,7 @@ impl Section<'_> {
             if !(u > start && u < end) {
                 return None;
             }
-            let (at, derivative) = self.line.even_with_derivative(u);
+            let (at, derivative) = self.line.with_derivative(u);
             let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
             let rate = along(derivative);
             if rate < MIN_RATE {

@@ -146,7 +146,7 @@ fn the_derivative_of_the_line_is_that_of_its_points() {
         if curve.at(s).first[0] < 0.1 && curve.at(s).first[0] > 0.04 {
             continue;
         }
-        let (_, derivative) = line.even_with_derivative(s);
+        let (_, derivative) = line.with_derivative(s);
         let (before, after) = (line.at(s - step).point, line.at(s + step).point);
         for k in 0..2 {
             let difference = (after[k] - before[k]) / (2.0 * step);

@@ -154,12 +154,11 @@ super::entry::tolerances! {
     CHECK_RAIL_STEP: [f64; 2] = [120.0, 20.0];
 
     /// Deviations of 1e-13 m against none: quadrature along strips, and an edge found to 1e-7 m.
-    VANISHING_DEVIATIONS: f64 = 3e-5;
+    VANISHING_DEVIATIONS: f64 = 1e-6;
 
-    /// Depth of contact of uneven bodies against a scan of their surfaces [m]: the wheel's circle
-    /// is a parabola over 11 mm, and its angles are arcs of the nominal rolling circle also on a
-    /// flange that touches 10 mm ahead.
-    UNEVEN_DEPTH: f64 = 4e-7;
+    /// Depth of contact of uneven bodies against a scan of their surfaces [m]: cubics between rows
+    /// follow the section to that.
+    UNEVEN_DEPTH: f64 = 1e-8;
 
     /// Crest and trough of a wave of 0.5 m against wheels of that curvature: the wave is no
     /// parabola over 15 mm.
@@ -179,7 +178,7 @@ super::entry::tolerances! {
 
     /// Jumps of the normal force over itself, rolling over corrugations and flats in steps of 12
     /// µm: a step is a thousandth of a patch.
-    UNEVEN_JUMP: f64 = 5e-3;
+    UNEVEN_JUMP: f64 = 1e-3;
 
     /// The same of the creep force: a step is a thousandth of a patch.
     UNEVEN_CREEP_JUMP: f64 = 1e-3;

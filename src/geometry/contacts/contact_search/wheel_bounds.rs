@@ -9,10 +9,6 @@ use crate::geometry::wheel::contact_line::ContactLine;
 /// [m].
 const INSIDE_STEP: f64 = 1.5e-3;
 
-/// The same where a yawed wheel also passes deviations along the track, faster than its own waves
-/// [m].
-const KINKED_STEP: f64 = 5e-4;
-
 /// Least step outside [m]; a dip that fits into it is found where the slope changes sign.
 const MIN_STEP: f64 = 5e-4;
 
@@ -75,7 +71,7 @@ impl WheelBounds {
     /// How far the line may be followed without passing a penetration.
     pub fn step(&self, from: &Sample, line: &ContactLine, rail_concavity: f64) -> f64 {
         if from.distance <= 0.0 {
-            return self.inside_step(from, line);
+            return INSIDE_STEP;
         }
         let [start, end] = line.range();
         let per_factor = line.stretch_per_factor();
@@ -101,8 +97,7 @@ impl WheelBounds {
         let hollow = rail_concavity * from.distance;
         if !from.beyond_end && hollow < MAX_HOLLOW {
             let concavity = self.concavity[here] + rail_concavity / (1.0 - hollow);
-            // A lift may turn from rising to falling at any kink.
-            let slope = from.slope - 2.0 * line.most_lift_slope(self.stretch[here]);
+            let slope = from.slope;
             // d + slope·t - concavity·t²/2 vanishes no sooner than at:
             let root = (slope * slope + 2.0 * concavity * from.distance).sqrt();
             let bound = if slope < 0.0 {
@@ -115,15 +110,5 @@ impl WheelBounds {
             step = step.max(STEP_SHARE * bound.min(reach) / stretch_over(here));
         }
         step.max(MIN_STEP)
-    }
-
-    /// Step inside an interval of penetration [m].
-    fn inside_step(&self, from: &Sample, line: &ContactLine) -> f64 {
-        let Some(deviations) = line.deviations() else { return INSIDE_STEP };
-        let last = self.stretch.len() - 1;
-        let here = (((from.u - line.range()[0]) / BIN) as usize).min(last);
-        // A yawed wheel passes several waves along the track where its line runs ahead fast.
-        let quarter_wave = 4.0 * deviations.spacing();
-        (quarter_wave / line.most_advance(self.stretch[here])).clamp(KINKED_STEP, INSIDE_STEP)
     }
 }

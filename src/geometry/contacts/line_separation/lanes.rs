@@ -26,7 +26,7 @@ const NEAR: f64 = 2e-7;
 impl LineSeparation<'_> {
     /// As [`Separation::fill`].
     pub(super) fn fill_lanes(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
-        let is_even = self.lifting.is_none() && !self.line.varies_around();
+        let is_even = !self.line.varies_around();
         if is_even {
             fill_blocks(self.line, self.rail, &self.contact, us, found);
         }

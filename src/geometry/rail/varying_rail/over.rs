@@ -1,6 +1,6 @@
 //! The wheel above a rail, as its rows meet it.
 
-use super::waves::Waves;
+use super::waves::WheelWaves;
 use super::wheel_table::CELL;
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::plane::dot;
@@ -27,7 +27,7 @@ pub(super) struct Over<'a, T: Real = f64> {
     /// The axes of the outline, where the rows drift or rise.
     course: Option<Course<T>>,
     /// Deviations of the wheel over its angle, where it has any.
-    waves: Option<Waves<'a>>,
+    waves: Option<WheelWaves<'a>>,
     /// Directions to the right and down in the plane across the track, in the axes of the outline
     /// [-].
     pub right: [T; 2],
@@ -78,7 +78,7 @@ impl<'a, T: Real> Over<'a, T> {
     }
 
     /// The same with deviations over its angle.
-    pub fn with_waves(self, waves: Option<Waves<'a>>) -> Self {
+    pub fn with_waves(self, waves: Option<WheelWaves<'a>>) -> Self {
         Self { waves, ..self }
     }
 
@@ -150,7 +150,7 @@ impl<'a, T: Real> Over<'a, T> {
     }
 
     /// Deviations of the wheel over its angle, where it has any.
-    pub fn waves(&self) -> Option<&Waves<'a>> {
+    pub fn waves(&self) -> Option<&WheelWaves<'a>> {
         self.waves.as_ref()
     }
 

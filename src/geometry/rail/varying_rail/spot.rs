@@ -281,7 +281,7 @@ impl Spot {
         }
         let line = over.line();
         // At the point of the wheel that is opposite.
-        let across = over.seen_from_marker(line.even_at(self.s()).point);
+        let across = over.seen_from_marker(line.at(self.s()).point);
         let [y, z] = [over.right, over.down].map(|axis| dot(across, axis));
         let beside = over.beside_marker(y);
         let below = |x: f64| line.wheel_below(x, beside, [over.right, over.down], [self.s(), z]);

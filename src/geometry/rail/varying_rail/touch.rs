@@ -128,7 +128,7 @@ impl Touch<'_> {
         [from, to]: [f64; 2],
     ) -> (f64, Option<f64>) {
         let way = over.way(here.place, &here.point);
-        let on_line = over.line().even_at(here.s()).x;
+        let on_line = over.line().at(here.s()).x;
         let centre = here.place + (on_line - way.x) / way.rate;
         // No farther than where a wheel stands higher than the row ever rises.
         let own = if over.varies_around() { 0.0 } else { here.raised() };

@@ -1,12 +1,11 @@
 //! Deviations of a wheel by its angle, as it stands above a rail that varies.
 
 use crate::geometry::sections::rows::surface::REACH;
-use crate::geometry::uneven::longitudinal::MIN_REACH;
 use crate::geometry::uneven::waviness::Waviness;
 
 /// Deviations of a wheel over the arc of its nominal rolling circle, and how it stands.
 #[derive(Clone, Copy)]
-pub(super) struct Waves<'a> {
+pub(super) struct WheelWaves<'a> {
     /// The deviations [m].
     pub surface: &'a Waviness,
     /// Place of the nominal rolling circle straight below the axle [m].
@@ -18,12 +17,14 @@ pub(super) struct Waves<'a> {
 /// Curvature of deviations from which on the wheel may be hollow for a rail that is not hollow for
 /// a round one, over that of the wheel [-].
 const HOLLOW_SHARE: f64 = 0.25;
-/// Least distance of samples of the deviations, as on even rails [m].
+/// Least distance of samples of the deviations [m].
 const SHORTEST: f64 = 2.5e-4;
+/// Distance over that of samples below which differences are no better than the curvature itself.
+pub(in crate::geometry) const MIN_REACH: f64 = 1e-2;
 /// Farthest place of touch along the nominal rolling circle [m].
 const FARTHEST: f64 = 1.2 * REACH;
 
-impl<'a> Waves<'a> {
+impl<'a> WheelWaves<'a> {
     /// Those of the `surface` of a wheel turned by `pitch` [rad] with the radius `nominal_radius`
     /// [m].
     pub fn new(surface: &'a Waviness, nominal_radius: f64, pitch: f64) -> Self {

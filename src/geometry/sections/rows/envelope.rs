@@ -126,12 +126,12 @@ impl<T: Real> Envelope<T> {
     }
 
     /// The row of the outline nearest to its parameter `s`, if there is one.
-    pub fn row_near(&self, s: f64) -> Option<usize> {
+    pub fn met_near(&self, s: f64) -> Option<&Met<T>> {
         let i = self.knots.partition_point(|k| k.s <= s);
         let beside = i.saturating_sub(1)..(i + 1).min(self.knots.len());
         let away = |k: &usize| (self.knots[*k].s.value() - s).abs();
         let nearest = beside.min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        Some(self.kept[nearest].row)
+        self.kept.get(nearest)
     }
 
     /// Where the wheel meets the rail at parameter `s` of the outline.

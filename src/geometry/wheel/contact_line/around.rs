@@ -1,7 +1,7 @@
 //! The contact line of a wheel whose section varies around.
 
 use super::{ContactLine, LinePoint, MIN_SECTION_SHARE};
-use crate::geometry::uneven::longitudinal::MIN_REACH;
+use crate::geometry::rail::varying_rail::MIN_REACH;
 use crate::geometry::wheel::surface_point::{Below, SurfacePoint};
 use crate::geometry::wheel::varying_wheel::{BesideRound, VaryingWheel};
 use crate::math::real::Real;

@@ -168,11 +168,6 @@ impl<T: Real> Rim<'_, T> {
         self.along_height().map(|rate| rate * self.height_rate)
     }
 
-    /// Derivative of x with respect to the parameter of the line.
-    pub(super) fn advance(&self) -> T {
-        self.line.cosine * self.ahead_rate * self.height_rate
-    }
-
     /// The wheel at the rim.
     pub(super) fn wheel_point(&self) -> WheelPoint<T> {
         let radius = self.edge.point[1] + self.line.nominal_radius;
