@@ -55,14 +55,12 @@ impl Problem {
         let mut before = 0.0;
         for (i, node) in lattice.nodes.iter().enumerate() {
             let next = if i + 1 < lattice.nodes.len() { lattice.tie(i + 1) } else { 0.0 };
-            let widths = |i: usize| lattice.nodes.get(i).map_or(0.0, |node| node.width);
-            let beside = before * widths(i.wrapping_sub(1)) + next * widths(i + 1);
             self.points.push(Point {
                 hat: Hat::new(lattice, i),
                 width: node.width,
                 overlap: node.overlap * scales.unit,
                 bending: scales.unit / (8.0 * node.radius),
-                diagonal: (1.0 - beside) / node.width,
+                diagonal: node.own_share / node.width,
                 before,
                 place: (node.number, node.interval),
             });

@@ -18,8 +18,13 @@ use lobes::PLACES;
 use measure::Station;
 use sample::{MAX_SAMPLES, Sample, between};
 
-/// Width of a hat beyond the end of its overlap over that of the overlap: no hat is without width.
+/// Width of a hat beyond the end of its overlap where the node stands on that, over that of the
+/// overlap: no hat is without width. It shrinks as the node goes inside, to nothing three times as
+/// far: what stands there when the next node comes in ends where that one comes.
 const OVERHANG: f64 = 0.01;
+
+/// Share of a node's own load in the mean of a load that is linear between nodes over its hat.
+const INNER_SHARE: f64 = 2.0 / 3.0;
 
 /// A node: one unknown load per width, which is linear between nodes.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +42,8 @@ pub(in super::super) struct Node<T = f64> {
     pub reach: [T; 2],
     /// Integral of its hat [m].
     pub width: T,
+    /// Share of its own load in the mean over its hat [-].
+    pub own_share: T,
     /// Overlap at the node, and its mean over the hat [m].
     pub depth: T,
     pub overlap: T,
@@ -92,7 +99,7 @@ impl<T: Real> Lattice<T> {
     }
 
     /// What the hats of nodes `i` - 1 and `i` have in common in a mean over hats, over both widths
-    /// [1/m]; nothing between nodes of two overlaps.
+    /// [1/m]; nothing between nodes of two overlaps, nor at their ends, where there is no load.
     pub fn tie(&self, i: usize) -> T {
         let nodes = &self.nodes;
         if i == 0 || i == nodes.len() || nodes[i - 1].interval != nodes[i].interval {
@@ -104,11 +111,10 @@ impl<T: Real> Lattice<T> {
     /// Mean over the hat of node `i` of what has the integrals `parts` over the hats.
     pub fn mean_over_hats(&self, i: usize, parts: &[T]) -> T {
         let nodes = &self.nodes;
-        let mut sum = parts[i] / nodes[i].width;
+        let mut sum = parts[i] * nodes[i].own_share / nodes[i].width;
         for (tie, other) in [(i, i.wrapping_sub(1)), (i + 1, i + 1)] {
             if other < nodes.len() {
-                let share = self.tie(tie);
-                sum += (parts[other] - parts[i] * nodes[other].width / nodes[i].width) * share;
+                sum += parts[other] * self.tie(tie);
             }
         }
         sum
@@ -125,12 +131,12 @@ impl<T: Real> Lattice<T> {
         if self.size_up(line) {
             self.scales = Scales::new(self.depth, self.half_width, self.radius);
             self.measure();
-            self.place_nodes(line);
+            self.place_nodes(line, overlaps);
         }
     }
 
     /// Places the nodes at whole steps of the measure.
-    fn place_nodes(&mut self, line: &mut impl OverlapLine<T>) {
+    fn place_nodes(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) {
         self.integrals.clear();
         let [low, high] = self.extent;
         let mean = -low;
@@ -159,7 +165,7 @@ impl<T: Real> Lattice<T> {
             }
             number += 1.0;
         }
-        self.spread_hats();
+        self.spread_hats(overlaps);
     }
 
     fn place_node(
@@ -187,6 +193,7 @@ impl<T: Real> Lattice<T> {
             tangent: tangent.map(|component| component / length),
             reach: [h; 2],
             width: h,
+            own_share: INNER_SHARE.into(),
             depth: depth - less,
             overlap: less,
             radius,
@@ -196,7 +203,7 @@ impl<T: Real> Lattice<T> {
     }
 
     /// Gives each node its hat and the mean of the overlap over it.
-    fn spread_hats(&mut self) {
+    fn spread_hats(&mut self, overlaps: &Overlaps) {
         let mut end = 0;
         while end < self.nodes.len() {
             let (begin, interval) = (end, self.nodes[end].interval);
@@ -207,7 +214,11 @@ impl<T: Real> Lattice<T> {
             let first = self.samples.iter().find(of_interval).copied();
             let last = self.samples.iter().rev().find(of_interval).copied();
             let (Some(first), Some(last)) = (first, last) else { return };
-            let overhang = (last.at.y - first.at.y) * OVERHANG;
+            let most = (last.at.y - first.at.y) * OVERHANG;
+            let overhang = |inside: T| {
+                let rest = (-inside / (most * 3.0) + 1.0).at_least(0.0);
+                most * (rest * rest * rest)
+            };
             for i in begin..end {
                 let y = self.nodes[i].y;
                 let [one, two] = self.integrals[i];
@@ -217,7 +228,7 @@ impl<T: Real> Lattice<T> {
                     (left, one - (two - self.integrals[i - 1][1]) / left)
                 } else {
                     let inside = y - first.at.y;
-                    let left = inside + overhang;
+                    let left = inside + overhang(inside);
                     (left, one - two / left)
                 };
                 let (right, behind) = if i + 1 < end {
@@ -225,14 +236,24 @@ impl<T: Real> Lattice<T> {
                     (right, (self.integrals[i + 1][1] - two) / right - one)
                 } else {
                     let inside = last.at.y - y;
-                    let right = inside + overhang;
+                    let beyond = overhang(inside);
+                    let right = inside + beyond;
                     let [all, twice] = last.integrals;
-                    (right, (twice - two) / right - one + all * (overhang / right))
+                    (right, (twice - two) / right - one + all * (beyond / right))
                 };
                 let node = &mut self.nodes[i];
                 node.reach = [left, right];
                 node.width = (left + right) * 0.5;
                 node.overlap = (before + behind) / node.width - node.overlap;
+                // Where a body ends what goes beyond stays with the node.
+                let [start, stop] = overlaps.intervals[interval];
+                for (is_last, reach) in
+                    [(i == begin && !start.is_free, left), (i + 1 == end && !stop.is_free, right)]
+                {
+                    if is_last {
+                        node.own_share += reach / (node.width * 6.0);
+                    }
+                }
             }
         }
     }
