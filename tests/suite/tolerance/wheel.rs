@@ -5,7 +5,7 @@ super::entry::tolerances! {
     PRESCRIBED_LOAD: f64 = 1e-10;
 
     /// Vertical force on the rails against the given load, as a share of it and [N]: the last digit
-    /// of the height times the stiffness.
+    /// of the height times the stiffness; on flanges more, by as much as they are stiffer.
     CARRIED_LOAD: [f64; 2] = [1e-10, 1e-6];
 
     /// Forces at a given load against those at the height found for it, as a share of the load times
