@@ -249,9 +249,11 @@ impl Slices {
                 let share = (s - from) / (to - from);
                 let on_slice = |i: usize| {
                     let [own_from, own_to] = ends(i);
-                    // The pattern's own parameter, not a rounded one.
-                    let own =
-                        if i == *pattern { s } else { own_from + share * (own_to - own_from) };
+                    // The pattern's own parameter, not a rounded one, also where the part is as long
+                    // as there.
+                    let is_alike =
+                        [own_from, own_to].map(f64::to_bits) == [from, to].map(f64::to_bits);
+                    let own = if is_alike { s } else { own_from + share * (own_to - own_from) };
                     let p = self.all[i].profile.curve.at(own);
                     let ([y, z], [dy, dz]) = (point(p.point), direction(p.first));
                     let stretch = (own_to - own_from) / (to - from);
