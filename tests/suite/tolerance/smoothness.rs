@@ -40,10 +40,6 @@ super::entry::tolerances! {
     /// friction limit with them: what the steps of an integrator do not see.
     WALK_JUMPS: [f64; 2] = [1e-4, 1e-3];
 
-    /// The same over corrugation of an even rail: strips have one place of first touch along the
-    /// track, about which they take the surface.
-    WALK_JUMPS_OVER_WAVES: [f64; 2] = [1e-2, 3e-2], target [1e-4, 1e-3];
-
     /// Largest change of the stiffness from step to step of 0.1 µm in a line of 0.1 mm of a random
     /// walk, over the stiffness of the contact, below which 95 % of the lines stay: what Newton's
     /// method of a host gets along with.
