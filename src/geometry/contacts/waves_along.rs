@@ -72,3 +72,25 @@ fn nearest_to_even(circle: f64, [from, slope, curvature]: [f64; 3]) -> f64 {
     }
     ahead
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn a_circle_is_nearest_to_a_row_where_it_is_as_steep() {
+        for (from, slope) in [(0.02, 0.05), (-0.03, 0.0), (0.0, -0.1)] {
+            let found = nearest_to_even(0.46, [from, slope, 0.0]);
+            assert_relative_eq!(found, 0.46 * f64::atan(slope).sin(), epsilon = 1e-12);
+        }
+        // A roller, the middle of which is 30 mm ahead: on the line through both axles.
+        let (wheel, roller, middle) = (0.46_f64, 0.8_f64, 0.03_f64);
+        let nearest = wheel * middle / (wheel + roller);
+        let from = nearest + 1e-3;
+        let beside: f64 = from - middle;
+        let slope = -beside / (roller * roller - beside * beside).sqrt();
+        let found = nearest_to_even(wheel, [from, slope, 1.0 / roller]);
+        assert_relative_eq!(found, nearest, epsilon = 1e-7);
+    }
+}

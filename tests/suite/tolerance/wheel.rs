@@ -112,7 +112,7 @@ super::entry::tolerances! {
     /// even rail at an angle that they are, over the force: the target.
     EVENLY_DRIFTING: f64 = 1e-6;
 
-    /// The same by one ellipse: it has the curvature of one point, which jumps where arcs of a rail
+    /// The same by one ellipse over 1100 poses: it has the curvature of one point, which jumps where arcs of a rail
     /// meet, and the two rails have these a little elsewhere.
     EVENLY_DRIFTING_ELLIPSES: f64 = 3e-5, target 1e-6;
 

@@ -60,9 +60,8 @@ impl Meeting {
             for j in here.row + 1..next.row {
                 let start = trend.start(&rows.parameter, j);
                 if let Some(found) = touch.meet(over, j, start, is_wavy) {
+                    met.push(found);
                     trend.follow(&found);
-                    let aside = Some(j).filter(|_| is_untouched(&found, least));
-                    met.push(aside.and_then(|j| touch.aside(over, j)).unwrap_or(found));
                 }
             }
         }
@@ -106,8 +105,7 @@ impl Meeting {
     }
 }
 
-/// Whether a row that was met stays away from a wheel that was lowered by `way` [m]: far from it, or
-/// opposite to what the wheel turns up.
+/// Whether a row that was met stays away from a wheel that was lowered by `way` [m].
 fn is_untouched(met: &Met, way: f64) -> bool {
-    met.gap.share <= 0.0 || met.gap.lowered(way) > UNTOUCHED
+    met.gap.lowered(way) > UNTOUCHED
 }

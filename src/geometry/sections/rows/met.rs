@@ -14,9 +14,10 @@ pub(in crate::geometry) struct Gap {
 }
 
 impl Gap {
-    /// Along the normal of the wheel, after that was lowered by `way` [m].
+    /// Along the normal of the wheel, after that was lowered by `way` [m]: as far where the wheel
+    /// faces up.
     pub fn lowered(&self, way: f64) -> f64 {
-        self.share * (self.height - way)
+        self.share.abs() * (self.height - way)
     }
 }
 
