@@ -84,9 +84,10 @@ impl UnevenStrips {
     }
 
     /// Fills the empty `strips` with the loaded zones of one contact frame; as
-    /// [`piotrowski_kik::solve`](super::piotrowski_kik::solve), with `waves` along
-    /// the track. Returns with what that does by how much the waves of rail and wheel are steeper in
-    /// the mean of the pressure than where the bodies are nearest [-].
+    /// [`piotrowski_kik::solve`](super::piotrowski_kik::solve), with `waves` along the track.
+    ///
+    /// Returns with the number of zones that found no room by how much the waves of rail and wheel are
+    /// steeper in the mean of the pressure than where the bodies are nearest [-].
     pub fn solve(
         &mut self,
         problem: &NormalProblem,

@@ -10,8 +10,7 @@ use crate::math::tape::Taped;
 use crate::normal::piotrowski_kik::Influence;
 use crate::tangential::{CreepNumber, UnderLaw};
 
-/// Numbers with which contacts are brought to forces; wear is that of plain ones
-/// alone.
+/// Numbers with which contacts are brought to forces; wear is that of plain ones alone.
 pub trait ElementNumber: CreepNumber + Influence {
     /// The separation of wheel and rail in the frame of a contact.
     type Separation<'a>: RailSeparation<Self> + Clone;

@@ -21,6 +21,7 @@ mod few;
 mod mean_course;
 mod meeting;
 mod moving_outline;
+mod on_waves;
 mod over;
 mod spot;
 mod touch;
@@ -37,7 +38,7 @@ pub use self::moving_outline::MovingOutline;
 use self::over::Over;
 use self::touch::Touch;
 pub(in crate::geometry) use self::waves::MIN_REACH;
-use self::waves::{WheelWaves, bulge_over};
+use self::waves::WheelWaves;
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::curves::arc_length::ArcLength;
@@ -50,13 +51,9 @@ use crate::geometry::sections::rows::roller::Roller;
 use crate::geometry::sections::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, REACH_ALONG, Surface};
 use crate::geometry::sections::slices::Slices;
 use crate::geometry::uneven::waviness::Waviness;
-use crate::geometry::uneven::wavy_section::{Waves, WavySection};
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
-
-/// Way over which it is told how fast places on waves go with x [m].
-const RATE_REACH: f64 = 1e-3;
 
 /// A rail whose section varies.
 #[derive(Clone, Debug)]
@@ -276,90 +273,10 @@ impl VaryingRail {
         nearest.map_or([0.0; 2], |(k, row)| [self.envelope.knots()[k].s, self.arcs[row]])
     }
 
-    /// How far waves of rail and wheel bring both nearer to each other at most [m].
-    #[must_use]
-    pub fn highest(&self) -> f64 {
-        self.surface.corrugation.bounds().range[1] + self.waves.bounds().range[1]
-    }
-
-    /// Whether rail or wheel have waves over their even surfaces.
-    #[must_use]
-    pub fn has_waves(&self) -> bool {
-        self.is_corrugated() || !self.waves.is_empty()
-    }
-
-    /// Whether all rows are higher by a corrugation.
-    #[must_use]
-    pub fn is_corrugated(&self) -> bool {
-        self.surface.is_corrugated()
-    }
-
-    /// By how much a corrugation is more curved over the distance `reach` to either side of the
-    /// point (x, y, z) than there [m], x from the marker of the wheel that passed last, y and z of
-    /// the outline, positive where it bulges more [1/m]; nothing where it is as good as that.
-    #[must_use]
-    pub fn bridged(&self, point: [f64; 3], reach: f64) -> Option<f64> {
-        let (corrugation, place) = (&self.surface.corrugation, self.place_on_rail(point));
-        Some(bulge_over(corrugation, place, reach)? + corrugation.at(place)[2])
-    }
-
-    /// Curvature of the waves of the wheel over the distance `reach` to either side of the same
-    /// point [m], positive where they bulge [1/m]; nothing where that of the place is as good.
-    #[must_use]
-    pub fn waves_over(&self, point: [f64; 3], reach: f64) -> Option<f64> {
-        bulge_over(&self.waves, self.place_on_wheel(point), reach)
-    }
-
-    /// The waves of rail and wheel about the same point, over x from the marker.
-    #[must_use]
-    pub fn waves_about(&self, [x, y, z]: [f64; 3]) -> WavySection<'_> {
-        let about = |surface, place: &dyn Fn([f64; 3]) -> f64| {
-            let [behind, here, ahead] =
-                [-RATE_REACH, 0.0, RATE_REACH].map(|way| place([x + way, y, z]));
-            let rate = (ahead - behind) / (2.0 * RATE_REACH);
-            Waves { surface, at: here - rate * x, rate }
-        };
-        WavySection::new(
-            about(&self.surface.corrugation, &|point| self.place_on_rail(point)),
-            about(&self.waves, &|point| self.place_on_wheel(point)),
-        )
-    }
-
     /// The row of the outline nearest to its parameter `s` [m], where it is met.
     #[must_use]
     pub(in crate::geometry) fn met_near(&self, s: f64) -> Option<&Met> {
         self.envelope.met_near(s)
-    }
-
-    /// Place on the corrugation at that point [m].
-    fn place_on_rail(&self, [x, y, z]: [f64; 3]) -> f64 {
-        let along_track = self.course().map_or(x, |course| course.on_rail([x, y, z])[0]);
-        let place = self.station + along_track;
-        self.surface.roller.map_or(place, |roller| roller.arc(place, z))
-    }
-
-    /// Place on the nominal rolling circle at that point [m].
-    fn place_on_wheel(&self, [x, y, z]: [f64; 3]) -> f64 {
-        let WheelPose { marker, roll, yaw } = self.pose;
-        let (sine, cosine) = roll.sin_cos();
-        let (y, z) = (y - marker[1], z - marker[2]);
-        let (across, below) = (y * cosine + z * sine, z * cosine - y * sine);
-        let (sine, cosine) = yaw.sin_cos();
-        let angle = (x * cosine + across * sine).atan2(below);
-        (angle - self.pitch) * self.nominal_radius
-    }
-
-    /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
-    /// arc on its top grows; 0 for a rail, which lies still [-].
-    #[must_use]
-    pub fn rise(&self, [x, z]: [f64; 2]) -> f64 {
-        let Surface { roller, corrugation, .. } = &self.surface;
-        match roller {
-            Some(roller) if !corrugation.is_empty() => {
-                roller.rise(corrugation, self.station + x, z)
-            }
-            _ => 0.0,
-        }
     }
 
     /// Whether rows begin or end within reach of the wheel that passed last.
