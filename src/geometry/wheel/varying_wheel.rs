@@ -45,14 +45,11 @@ use crate::math::real::Real;
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is
 /// looked for.
 const MIN_RATE: f64 = 0.1;
-/// Distance of rows that are looked through for the place that lies lowest [m].
-const STRIDE: f64 = 3e-3;
 /// Spacing at which it is looked through, along the nominal rolling circle [m].
 const SCAN: f64 = 2e-3;
 /// Newton steps to the place on a row, the last of them, and the longest [rad].
-const MAX_STEPS: usize = 12;
+const MAX_STEPS: usize = 40;
 const LAST_STEP: f64 = 1e-10;
-const LONGEST_STEP: f64 = 0.04;
 /// Least bend of a row towards its lowest place, over that of a round wheel.
 const MIN_BEND: f64 = 0.1;
 /// Sine of the angle from straight below up to which a round wheel is met.
@@ -205,16 +202,10 @@ impl VaryingWheel {
         let stand = Stand { along_axle: -sine, across_axle: cosine.max(1e-9), angle, slice };
         self.stand = stand;
         self.met.clear();
-        let (mut before, mut looked) = (None, None);
         for j in 0..self.surface.count() {
-            let parameter = &self.surface.rows.parameter;
-            let looks = looked.is_none_or(|k: usize| parameter[j] - parameter[k] >= STRIDE);
-            let Some((here, deviation)) = self.meet(&stand, j, before, looks) else { continue };
-            if looks {
-                looked = Some(j);
+            if let Some(here) = self.meet(&stand, j) {
+                self.met.push(here);
             }
-            before = deviation.or(before);
-            self.met.push(here);
         }
         if !self.envelope.lay(&self.surface, &self.met) {
             return false;
@@ -235,42 +226,41 @@ impl VaryingWheel {
         BesideRound { ahead, curvature, share_across: drift }
     }
 
-    /// Row `j` as the rail sees it, and by how much its angle is not that of a round wheel, which
-    /// it is about by as much as `before`; nothing where the row is not there.
-    fn meet(
-        &self,
-        stand: &Stand,
-        j: usize,
-        before: Option<f64>,
-        looks_through: bool,
-    ) -> Option<(Met, Option<f64>)> {
+    /// Row `j` as the rail sees it; nothing where the row is not there.
+    fn meet(&self, stand: &Stand, j: usize) -> Option<Met> {
         let run = self.surface.run(j, self.radius * stand.angle, stand.slice)?;
         let below = self.place(stand, j, run, 0.0);
         let round = stand.round(below.slope);
-        let mut psi = round + before.unwrap_or(0.0);
-        let mut here = self.place(stand, j, run, psi);
+        let here = self.place(stand, j, run, round);
         let [v, _] = stand.seen(here.across);
         if v < MIN_RATE * stand.seen(here.across)[1].abs().max(v.abs()) {
-            return Some((self.upright(j, &below), None));
+            return Some(self.upright(j, &below));
         }
-        if looks_through || before.is_none() {
-            psi = self.lowest(stand, j, run, round, &here);
-            here = self.place(stand, j, run, psi);
-        }
+        let (mut psi, [mut from, mut to]) = self.lowest(stand, j, run, round, &here);
+        let mut here = self.place(stand, j, run, psi);
         for _ in 0..MAX_STEPS {
             let [v, p] = [here.across, here.around].map(|d| stand.seen(d));
             let [vp, pp] = [here.twist, here.bend].map(|d| stand.seen(d));
             // Falls where the outline is farthest out.
+            let rate = cross(v, p);
+            if rate > 0.0 {
+                from = psi
+            } else {
+                to = psi
+            }
             let least = -MIN_BEND * here.radius * v[0];
             let slope = (cross(vp, p) + cross(v, pp)).min(least);
-            let step = (-cross(v, p) / slope).clamp(-LONGEST_STEP, LONGEST_STEP);
-            psi += step;
+            let newton = psi - rate / slope;
+            // The farthest place lies next to the sample farthest out, wherever a step would go.
+            let next = if newton > from && newton < to { newton } else { 0.5 * (from + to) };
+            let step = next - psi;
+            psi = next;
             here = self.place(stand, j, run, psi);
             if step.abs() < LAST_STEP {
                 break;
             }
         }
-        Some((self.round_wheel(stand, j, &here), Some(psi - stand.round(here.slope))))
+        Some(self.round_wheel(stand, j, &here))
     }
 
     /// The row `j` where it stands upright and nothing touches: as it is straight below.
@@ -284,20 +274,28 @@ impl VaryingWheel {
     }
 
     /// The angle at which row `j` lies lowest, seen along the normal of the place `here` near the
-    /// angle `round` [rad].
-    fn lowest(&self, stand: &Stand, j: usize, run: [usize; 2], round: f64, here: &Place) -> f64 {
+    /// angle `round`, of samples, and those on either side of it [rad].
+    fn lowest(
+        &self,
+        stand: &Stand,
+        j: usize,
+        run: [usize; 2],
+        round: f64,
+        here: &Place,
+    ) -> (f64, [f64; 2]) {
         let [ty, tz] = stand.seen(here.across);
-        let count = (self.reach * self.radius / SCAN).ceil() as i32;
+        let count = (self.reach * self.radius / SCAN).ceil().max(1.0) as i32;
+        let apart = self.reach / f64::from(count);
         let mut best = (f64::NEG_INFINITY, round);
         for i in -count..=count {
-            let psi = round + self.reach * f64::from(i) / f64::from(count.max(1));
+            let psi = round + apart * f64::from(i);
             let [y, z] = stand.seen(self.place(stand, j, run, psi).point);
             let depth = z * ty - y * tz;
             if depth > best.0 {
                 best = (depth, psi);
             }
         }
-        best.1
+        (best.1, [-1.0, 1.0].map(|way| best.1 + way * apart))
     }
 
     /// The row `j` of the round wheel that is seen as the place `here`.

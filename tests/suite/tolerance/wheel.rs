@@ -132,6 +132,11 @@ super::entry::tolerances! {
     /// are found to a nanometre, over depths of some 0.05 mm.
     EQUAL_SLICES_ELEMENTS: f64 = 1e-5, target 1e-9;
 
+    /// First touch of a wheel of rough sections against a scan of its surface, worst [m]: rows 3 mm
+    /// apart are met at places whose heights change across by slopes of 2e-3, and an outline is
+    /// straight from one to the other where the farthest place changes between them.
+    ROUGH_TOUCH: f64 = 2e-6;
+
     /// Height of a wheel with waves by sections against the same as a wheel that is out of round
     /// [m]: a tenth of the target for heights.
     BRIDGED_HEIGHT: f64 = 1e-7;

@@ -1,6 +1,7 @@
 //! Wheels whose section varies around: slices and tables of sections.
 
 mod flats;
+mod rough;
 
 use crate::allocations;
 use crate::tolerance;
