@@ -113,6 +113,18 @@ impl SampledWaves<'_> {
         0.5 * to * to / radius - self.height(x)[0]
     }
 
+    /// The same at sample `i` of those that tell valleys apart.
+    #[inline]
+    fn distance_at(&self, centre: f64, radius: f64, i: i64) -> f64 {
+        let x = self.place_of(i);
+        // A number below the first one wraps around, beyond the last one.
+        let Some([height, ..]) = self.samples.get((i * FINER - self.first) as usize) else {
+            return self.distance(centre, radius, x);
+        };
+        let to = x - centre;
+        0.5 * to * to / radius - height
+    }
+
     /// sqrt(2 r (level - Q)) at `x`, the root of the overlap by which pressure goes [m], and the
     /// slope of the rail's part of e there [-].
     #[inline]
@@ -129,7 +141,7 @@ impl SampledWaves<'_> {
     #[must_use]
     pub fn lowest(&self, centre: f64, radius: f64) -> f64 {
         let [first, last] = self.samples_within(centre, self.waves.reach(radius));
-        let at = |i: i64| self.distance(centre, radius, self.place_of(i));
+        let at = |i: i64| self.distance_at(centre, radius, i);
         let (mut before, mut here) = (at(first - 1), at(first));
         let mut lowest = (f64::INFINITY, centre);
         let dip = self.waves.dip(radius);
@@ -164,7 +176,7 @@ impl SampledWaves<'_> {
         let half = (2.0 * radius * (level + self.waves.highest).max(0.0)).sqrt();
         let [first, last] = self.samples_within(centre, half);
         let height = |x: f64| self.distance(centre, radius, x) - level;
-        let at = |i: i64| height(self.place_of(i));
+        let at = |i: i64| self.distance_at(centre, radius, i) - level;
         let edge = |from: (f64, f64), to: (f64, f64)| bracketed(from, to, BRACKET[0], height);
         let stationary = |i: i64, around: [f64; 3]| {
             let x = self.stationary(centre, radius, i, around);

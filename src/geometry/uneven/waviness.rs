@@ -224,13 +224,48 @@ impl Waviness {
         self.table = Some(curve);
     }
 
+    /// Greatest curvature between two coordinates, at most [1/m].
+    #[must_use]
+    pub fn curvature_within(&self, [from, to]: [f64; 2]) -> f64 {
+        let all = self.bounds.curvature;
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let beside = self.flat.filter(|flat| {
+            let away = self.from_middle(flat, middle).abs();
+            away > half + 0.5 * (1.0 + 2.0 * CORNER_SHARE) * flat.length
+        });
+        beside.map_or(all, |flat| all - flat.bounds()[1])
+    }
+
+    /// Value at the coordinate `c`, both [m].
+    #[must_use]
+    pub fn height(&self, c: f64) -> f64 {
+        let c = self.within_period(c);
+        let wave =
+            |wave: &Harmonic| wave.amplitude * (TAU / wave.wavelength * c + wave.phase).cos();
+        let waves: f64 = self.harmonics.iter().map(wave).sum();
+        let table = self
+            .table
+            .as_ref()
+            .map_or(0.0, |curve| curve.at(c.clamp(curve.start(), curve.end())).point[1]);
+        let flat = self.flat.map_or(0.0, |flat| flat.at(self.from_middle(&flat, c))[0]);
+        waves + table + flat
+    }
+
+    /// A coordinate within the first period [m].
+    fn within_period(&self, c: f64) -> f64 {
+        self.period.map_or(c, |period| c - period * (c / period).floor())
+    }
+
+    /// How far a coordinate is from the middle of a flat [m].
+    fn from_middle(&self, flat: &Flat, c: f64) -> f64 {
+        let away = c - flat.middle;
+        self.period.map_or(away, |period| away - period * (away / period).round())
+    }
+
     /// Value [m], slope [-] and curvature [1/m] at the coordinate `c` [m].
     #[must_use]
     pub fn at(&self, c: f64) -> [f64; 3] {
-        let c = match self.period {
-            Some(period) => c - period * (c / period).floor(),
-            None => c,
-        };
+        let c = self.within_period(c);
         let mut sum = [0.0; 3];
         for wave in &self.harmonics {
             let k = TAU / wave.wavelength;
@@ -248,11 +283,7 @@ impl Waviness {
             }
         }
         if let Some(flat) = &self.flat {
-            let mut from_middle = c - flat.middle;
-            if let Some(period) = self.period {
-                from_middle -= period * (from_middle / period).round();
-            }
-            for (sum, part) in sum.iter_mut().zip(flat.at(from_middle)) {
+            for (sum, part) in sum.iter_mut().zip(flat.at(self.from_middle(flat, c))) {
                 *sum += part;
             }
         }

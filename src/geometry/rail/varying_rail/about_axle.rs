@@ -1,6 +1,7 @@
 //! Places of a row about the axle of the wheel above it, and points of the wheel opposite.
 
 use super::over::Over;
+use super::waves::WheelWaves;
 use crate::geometry::curves::curve::CurvePoint;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
@@ -76,6 +77,17 @@ pub(super) struct Raised<T> {
     /// than that of the round wheel [1/m].
     pub by_arc: T,
     pub curvature: T,
+}
+
+impl Raised<f64> {
+    /// How much larger the wheel is alone [m].
+    pub fn height_at(over: &Over, polar: &Polar<f64>) -> f64 {
+        let of = |waves: &WheelWaves| {
+            let angle = (polar.sine / polar.cosine).atan();
+            waves.surface.height(waves.below + over.nominal_radius() * angle)
+        };
+        over.waves().map_or(0.0, of)
+    }
 }
 
 impl<T: Real> Raised<T> {

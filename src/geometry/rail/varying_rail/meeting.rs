@@ -4,6 +4,7 @@ use super::few::{Few, NEAR};
 use super::over::Over;
 use super::touch::Touch;
 use super::trend::Trend;
+use crate::geometry::sections::rows::envelope::TREND;
 use crate::geometry::sections::rows::met::Met;
 use crate::math::fixed_vec::FixedVec;
 
@@ -57,9 +58,11 @@ impl Meeting {
             let next = next.filter(|next| next.row > here.row + 1);
             let next = next.filter(|next| few.is_near(rows, [here, next], least));
             let Some(next) = next else { continue };
+            // Rows between two that are met in one valley are met in it.
+            let looks_through = is_wavy && !goes_on([here, next]);
             for j in here.row + 1..next.row {
                 let start = trend.start(&rows.parameter, j);
-                if let Some(found) = touch.meet(over, j, start, is_wavy) {
+                if let Some(found) = touch.meet(over, j, start, looks_through) {
                     met.push(found);
                     trend.follow(&found);
                 }
@@ -103,6 +106,11 @@ impl Meeting {
             trend.follow(&found);
         }
     }
+}
+
+/// Whether two rows are met in places that go on from one to the other.
+fn goes_on([from, to]: [&Met; 2]) -> bool {
+    from.opposite.is_some() && to.opposite.is_some() && (from.x - to.x).abs() < TREND
 }
 
 /// Whether a row that was met stays away from a wheel that was lowered by `way` [m].

@@ -52,6 +52,11 @@ impl Row<'_> {
     pub fn at<T: Real>(&self, over: &Over<T>, place: T) -> RowPoint<T> {
         self.surface.at(self.number, self.run, over.station + place, over.within.slice)
     }
+
+    /// Its point (y, z) there alone [m].
+    pub fn point(&self, over: &Over, place: f64) -> [f64; 2] {
+        self.surface.point(self.number, self.run, over.station + place, over.within.slice)
+    }
 }
 
 /// A place of a row with the point of the wheel that is opposite.
@@ -304,11 +309,11 @@ impl Spot {
         Met { along, ..met }
     }
 
-    /// How far the row is from the wheel along the radius at the `point` at `place`, whose profile
-    /// goes on straight from here [m].
-    pub fn height(&self, over: &Over, place: f64, point: &RowPoint) -> f64 {
-        let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
-        let raised = Raised::at(over, &polar).height;
+    /// How far the row is from the wheel along the radius at the `point` (y, z) at `place`, whose
+    /// profile goes on straight from here [m].
+    pub fn height(&self, over: &Over, place: f64, point: [f64; 2]) -> f64 {
+        let polar = Polar::of(over, place, point);
+        let raised = Raised::height_at(over, &polar);
         let away = polar.radius - raised - self.profile.radius;
         let aside = polar.axial - self.polar.axial;
         let straight = away - self.profile.slope * aside;

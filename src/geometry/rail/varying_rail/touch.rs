@@ -118,8 +118,7 @@ impl Touch<'_> {
         Spot::at(over, &row, place, s).met(over, j, rest)
     }
 
-    /// The sample of a `row` about which it is highest for the wheel, and the one about which it
-    /// may be higher still.
+    /// About where a `row` is highest for the wheel by samples, and where it may be higher still.
     fn valleys(
         &self,
         row: &Row,
@@ -141,20 +140,20 @@ impl Touch<'_> {
         let spacing = SCAN.min(self.surface.corrugation.bounds().spacing).min(over.spacing());
         let count = ((to - from) / spacing).ceil().max(1.0) as usize;
         let at = |i: usize| from + (to - from) * i as f64 / count as f64;
-        let height = |i: usize| here.height(over, at(i), &row.at(over, at(i)));
-        // Bottom by the parabola through three samples, how far below it may be, and the sample.
+        let height = |i: usize| here.height(over, at(i), row.point(over, at(i)));
+        // Height of the bottom by the parabola through three samples, how far below it may be, and
+        // its place.
         let mut lowest = [(f64::INFINITY, 0.0, None); 2];
         let (mut before, mut own) = (f64::INFINITY, height(0));
         for i in 0..=count {
             let after = if i < count { height(i + 1) } else { f64::INFINITY };
             if own <= before && own <= after {
                 let bend = before - 2.0 * own + after;
-                let fall = if bend.is_finite() && bend > 0.0 {
-                    [(before - after).powi(2) / (8.0 * bend), 0.125 * bend]
-                } else {
-                    [0.0; 2]
-                };
-                let valley = (own - fall[0], fall[1], Some(at(i)));
+                let is_valley = bend.is_finite() && bend > 0.0;
+                let ahead = if is_valley { 0.5 * (before - after) / bend } else { 0.0 };
+                let below = if is_valley { 0.125 * bend } else { 0.0 };
+                let place = at(i) + ahead * (to - from) / count as f64;
+                let valley = (own - 4.0 * below * ahead * ahead, below, Some(place));
                 if valley.0 < lowest[0].0 {
                     lowest = [valley, lowest[0]];
                 } else if valley.0 < lowest[1].0 {

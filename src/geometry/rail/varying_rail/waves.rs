@@ -29,13 +29,8 @@ impl<'a> WheelWaves<'a> {
     /// [m].
     pub fn new(surface: &'a Waviness, nominal_radius: f64, pitch: f64) -> Self {
         let below = -pitch * nominal_radius;
-        let spacing = surface.bounds().spacing.clamp(SHORTEST, REACH);
-        let count = (FARTHEST / spacing).ceil();
-        let samples = (0..=2 * count as usize).map(|i| below + (i as f64 - count) * spacing);
-        let most = HOLLOW_SHARE / nominal_radius;
-        let is_hollow = surface.bounds().curvature > most
-            && samples.map(|place| surface.at(place)[2]).any(|curvature| curvature > most);
-        Self { surface, below, is_hollow }
+        let curvature = surface.curvature_within([below - FARTHEST, below + FARTHEST]);
+        Self { surface, below, is_hollow: curvature > HOLLOW_SHARE / nominal_radius }
     }
 
     /// Whether the wheel may be hollow within reach.

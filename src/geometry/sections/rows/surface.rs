@@ -105,7 +105,19 @@ impl Surface {
         point
     }
 
-    /// The same of a rail without corrugation.
+    /// Its point (y, z) alone.
+    pub fn point(&self, j: usize, run: [usize; 2], station: f64, near: usize) -> [f64; 2] {
+        if let Some(roller) = &self.roller {
+            let [y, z, ..] = self.on_roller(roller, j, station).value;
+            return [y, z];
+        }
+        let [y, z] = self.point_at(j, run, station, near);
+        let lifted =
+            if self.corrugation.is_empty() { 0.0 } else { self.corrugation.height(station) };
+        [y, z - lifted]
+    }
+
+    /// As [`at`](Self::at), of a rail without corrugation.
     pub fn at_without_waves<T: Real>(
         &self,
         j: usize,
