@@ -76,10 +76,9 @@ pub const FAMILIES: [Family; 5] = [
         title: "Wheels with flats, sections around the wheel",
         source: "`tests/data/contact_25_1/wheel_slices.csv`",
         text: "A rounded flat 0.9 mm deep on a round crown (d09) and S1002 with a measured flat, each \
-               turned over its flat; given load. The reference is flat, and so is the creepage here. Noise of some micrometres \
-               is left in the measured sections and multiplies p_max, as the edges of the rounded \
-               flat do on fine elements, of 0.2 mm in the reference. \
-               Strips bridge it as on uneven wheels.",
+               turned over its flat; given load. The reference is flat, and so is the creepage here. The edges of the rounded \
+               flat multiply p_max on fine elements, of 0.2 mm in the reference. \
+               Strips bridge what is short along the track, as on uneven wheels.",
         quantities: &[
             "height of the wheel [um]",
             "place along the rail [mm]",
