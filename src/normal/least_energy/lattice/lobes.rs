@@ -25,11 +25,49 @@ const SUMS: usize = 6;
 /// Sums over the lobe of each of some places that are equally far apart: of the share of the depth
 /// there, its square and its cube, and with `SKEWED` of the square times what else is known of the
 /// places and times the square of that; and the pedestal; for shares that are not negative.
+pub(super) fn sums<T: Real, const SKEWED: bool>(
+    shares: &[T; PLACES],
+    others: &[T; PLACES],
+) -> [[T; PLACES]; SUMS] {
+    if is_one_lobe(shares) {
+        over_all(shares, others)
+    } else if T::IS_BACKWARD {
+        sums_backward(shares, others)
+    } else {
+        over_lobes::<T, SKEWED>(shares, others)
+    }
+}
+
+/// Whether shares do not rise any more where they have fallen: all places then count as much, and
+/// none lies on a pedestal.
+fn is_one_lobe<T: Real>(shares: &[T; PLACES]) -> bool {
+    let mut falls = false;
+    shares.windows(2).all(|pair| {
+        falls |= pair[1] < pair[0];
+        !(falls && pair[1] > pair[0])
+    })
+}
+
+/// The sums over all places.
+fn over_all<T: Real>(shares: &[T; PLACES], others: &[T; PLACES]) -> [[T; PLACES]; SUMS] {
+    let mut sums = [T::from(0.0); SUMS];
+    for (&share, &other) in shares.iter().zip(others) {
+        let square = share * share;
+        let product = square * other;
+        let terms = [share, square, square * share, product, product * other];
+        for (sum, term) in sums.iter_mut().zip(terms) {
+            *sum += term;
+        }
+    }
+    sums.map(|sum| [sum; PLACES])
+}
+
+/// The [`sums`] of any shares.
 ///
 /// Compiled for several instruction sets; no operation is fused or reordered, so that all of them
 /// give the same bits.
 #[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
-pub(super) fn sums<T: Real, const SKEWED: bool>(
+fn over_lobes<T: Real, const SKEWED: bool>(
     shares: &[T; PLACES],
     others: &[T; PLACES],
 ) -> [[T; PLACES]; SUMS] {
@@ -91,13 +129,10 @@ fn add<T: Real, const SKEWED: bool>(
 }
 
 /// [`sums`] as numbers that derivatives go back from: these are known as a whole.
-pub(super) fn sums_backward<T: Real>(
-    shares: &[T; PLACES],
-    others: &[T; PLACES],
-) -> [[T; PLACES]; SUMS] {
+fn sums_backward<T: Real>(shares: &[T; PLACES], others: &[T; PLACES]) -> [[T; PLACES]; SUMS] {
     let values = shares.map(T::value);
     let own_others = others.map(T::value);
-    let sums = sums::<f64, true>(&values, &own_others);
+    let sums = over_lobes::<f64, true>(&values, &own_others);
     let mut moving = [[T::from(0.0); PLACES]; SUMS];
     for place in 0..PLACES {
         let (by_share, by_other) = slopes_at(place, &values, &own_others);

@@ -108,9 +108,7 @@ impl<T: Real> Lattice<T> {
             let from = stations[0].x;
             let shares = from_fn(|k| stations[k].share);
             let places = from_fn(|k| stations[k].x - from);
-            let sums = if T::IS_BACKWARD {
-                lobes::sums_backward(&shares, &places)
-            } else if is_skewed {
+            let sums = if is_skewed {
                 lobes::sums::<T, true>(&shares, &places)
             } else {
                 lobes::sums::<T, false>(&shares, &places)
