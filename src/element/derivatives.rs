@@ -201,9 +201,13 @@ impl Element {
             let reason = "they are there for real-time models";
             return refuse("tangential.model = boundary_element", reason);
         }
-        if self.models.uneven.is_some() {
+        if self.models.uneven.is_some() && self.models.normal != NormalModel::Strips {
             let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
-            return refuse(name, "they are there for bodies that are even along the track");
+            return refuse(name, "over waves they are there for normal.model = strips");
+        }
+        if self.rails.iter().flatten().any(RailContact::is_corrugated_roller) {
+            let name = "rail[k].corrugation on rail[k].roller_radius";
+            return refuse(name, "they are there for rollers that are even around");
         }
         if self.rails.iter().flatten().any(RailContact::wheel_varies) {
             let reason = "they are there for wheels that are the same all around";

@@ -57,16 +57,12 @@ impl<'a> LocalLine<'a> {
         let LinePlace { u, y, x, tangent: [ty, tz], overlap, .. } = *place;
         let mut even = self.line.wheel_point(u).section_radius;
         let on_rail = self.rail.curve().at(y).point;
-        let varying = self.rail.variation();
-        let mut along = varying.map_or_else(Along::default, |varying| varying.along(y));
-        if let Some(varying) = varying.filter(|varying| varying.has_waves()) {
-            let (point, reach) = ([x, on_rail[0], on_rail[1]], self.bridge(even));
-            along.curvature += ty * varying.bridged(point, reach).unwrap_or(0.0);
-            along.waves = varying.waves_over(point, reach).map_or(along.waves, |waves| ty * waves);
-        }
+        let outline = RailOutline::at_rest(self.rail);
+        let along = outline.along_bridged(y, x, bridge(even, self.depth));
+        let mut along = along.unwrap_or_default();
         if self.line.varies_around() {
             let round = self.line.round().wheel_point(u).section_radius;
-            let reach = self.bridge(round);
+            let reach = bridge(round, self.depth);
             let places = [x, x - self.line.ahead_of_round(u) - along.lever];
             let direction = [-tz, ty];
             let more =
@@ -90,12 +86,6 @@ impl<'a> LocalLine<'a> {
     fn on_rail(&self, place: LinePlace) -> LinePlace {
         let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
         LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
-    }
-
-    /// Distance to either side over which waves along the track are bridged by a wheel whose even
-    /// section has the radius `even`: over the length that a ball of it touches along [m].
-    fn bridge(&self, even: f64) -> f64 {
-        STATION * (even * self.depth).sqrt()
     }
 }
 
@@ -149,6 +139,13 @@ impl OverlapLine for LocalLine<'_> {
         }
         self.line.wheel_point(at.u).section_radius
     }
+}
+
+/// Distance to either side over which waves along the track are bridged by a wheel whose even
+/// section has the radius `even`, at an overlap of `depth`: over the length that a ball of it
+/// touches along [m].
+pub(super) fn bridge<T: Real>(even: T, depth: T) -> T {
+    (even * depth).sqrt() * STATION
 }
 
 /// Radius of the section of wheel and rail together along the rows of a rail that varies, for a

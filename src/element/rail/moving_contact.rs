@@ -59,7 +59,7 @@ pub const UNSETTLED: Kink = "the equations of the strips are singular";
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
 
 impl RailContact {
-    /// As [`evaluate`](Self::evaluate) with derivatives, for bodies without waves.
+    /// As [`evaluate`](Self::evaluate) with derivatives.
     ///
     /// # Errors
     /// What has no derivative; `output` and `models` then hold a part.
@@ -96,10 +96,13 @@ impl RailContact {
         let Some((laid, varying)) = laid.zip(self.rail.variation()) else { return };
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let station = varying.station(input.track_s, input.wheel.position[0]);
-        laid.follow_rows(varying, &frame.pose(&input.wheel), station);
+        let level = frame.pose(&input.wheel);
+        laid.follow_rows(varying, &level, station);
         let pose = frame.along_rows(laid.course()).pose(&input.wheel);
+        let turned = laid.course().map_or(T::from(0.0), |course| course.pitch(&level, &pose));
+        let pitch = input.wheel.pitch - turned;
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        varying.move_with(&line, &pose, station, laid);
+        varying.move_with(&line, &pose, [station, pitch], laid);
     }
 
     /// As [`move_along`](Self::move_along), after the search.

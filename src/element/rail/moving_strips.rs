@@ -1,13 +1,14 @@
 //! The strip model on a wheel and a rail with derivatives: the solution of plain numbers, moved.
 
 use super::cut_strip::{self, CutStrip};
-use super::local_line::{LocalLine, MIN_RATE, radius_on_rows};
+use super::local_line::{LocalLine, MIN_RATE, bridge, radius_on_rows};
 use super::strip_damping::StripDamping;
 use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::models::Models;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::rail_outline::RailOutline;
+use crate::geometry::rail::varying_rail::VaryingRail;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
 use crate::normal::least_energy::{LinePlace, OverlapLine, StripNumber};
@@ -61,9 +62,15 @@ impl<T: Real> MovingLocal<'_, T> {
     /// What the end of a rail that varies leaves of the strip at a `place`.
     fn cut(&self, place: &LinePlace<T>) -> Option<CutStrip<T>> {
         let ends = self.rail.ends(place.y)?.map(|end| end - place.x);
-        let along = self.rail.along(place.y)?;
+        let gap = self.rail.along(place.y)?.gap;
+        cut_strip::cut(self.depth, gap, self.varying_radius(place), ends)
+    }
+
+    /// Radius of the section of wheel and rail together at a `place`, waves of both bridged [m].
+    fn varying_radius(&self, place: &LinePlace<T>) -> T {
         let even = self.line.wheel_point(place.u).section_radius;
-        cut_strip::cut(self.depth, along.gap, radius_on_rows(even, &along), ends)
+        let along = self.rail.along_bridged(place.y, place.x, bridge(even, self.depth));
+        along.map_or(even, |along| radius_on_rows(even, &along))
     }
 }
 
@@ -79,11 +86,10 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
     }
 
     fn radius(&mut self, at: &LinePlace<T>) -> T {
-        let even = self.line.wheel_point(at.u).section_radius;
-        let Some(varying) = self.rail.rail.variation() else { return even };
         // Where an end is near, without what that leaves out.
-        let place = if varying.is_near_end() { self.whole_place(at.u) } else { *at };
-        let radius = self.rail.along(place.y).map_or(even, |along| radius_on_rows(even, &along));
+        let is_near_end = self.rail.rail.variation().is_some_and(VaryingRail::is_near_end);
+        let place = if is_near_end { self.whole_place(at.u) } else { *at };
+        let radius = self.varying_radius(&place);
         self.cut(&place).map_or(radius, |cut| radius * cut.radius_share)
     }
 

@@ -109,6 +109,12 @@ impl RailContact {
         self.around.is_some()
     }
 
+    /// Whether the rail is a roller with a corrugation.
+    pub fn is_corrugated_roller(&self) -> bool {
+        let varying = self.rail.variation();
+        varying.is_some_and(|rail| rail.is_corrugated() && rail.roller_radius() > 0.0)
+    }
+
     /// The wheel.
     pub fn wheel_profile(&self) -> &Profile {
         &self.wheel

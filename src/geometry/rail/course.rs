@@ -120,17 +120,17 @@ impl<T: Real> Course<T> {
     }
 }
 
-impl Course {
+impl<T: Real> Course<T> {
     /// What the pitch of a wheel that stands at `pose` against the rail is less in these axes,
     /// where it stands at `turned` [rad].
     #[must_use]
-    pub fn pitch(&self, pose: &WheelPose, turned: &WheelPose) -> f64 {
+    pub fn pitch(&self, pose: &WheelPose<T>, turned: &WheelPose<T>) -> T {
         let [_, right, down] = self.axes;
         let (sine, cosine) = turned.roll.sin_cos();
         let below = [0, 1, 2].map(|c| down[c] * cosine - right[c] * sine);
         let (sin_roll, cos_roll) = pose.roll.sin_cos();
         let (sin_yaw, cos_yaw) = pose.yaw.sin_cos();
         let forward = [cos_yaw, sin_yaw * cos_roll, sin_yaw * sin_roll];
-        dot(below, forward).atan2(dot(below, [0.0, -sin_roll, cos_roll]))
+        dot(below, forward).atan2(dot(below, [T::from(0.0), -sin_roll, cos_roll]))
     }
 }

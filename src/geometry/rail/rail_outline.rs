@@ -48,6 +48,37 @@ impl<'a, T: Real> RailOutline<'a, T> {
         })
     }
 
+    /// Where the wheel meets a rail that varies at parameter `s`, waves of both bridged over the
+    /// distance `reach` to either side of the place `x` from the wheel marker [m]; nothing for
+    /// others.
+    #[must_use]
+    pub fn along_bridged(&self, s: T, x: T, reach: T) -> Option<Along<T>> {
+        let varying = self.rail.variation()?;
+        let mut along = self.along(s)?;
+        if !varying.has_waves() {
+            return Some(along);
+        }
+        let on = self.at(s);
+        let share = on.first[0] / on.first[0].hypotenuse(on.first[1]);
+        let point = [x, on.point[0], on.point[1]];
+        let (rail, wheel) = match self.moving {
+            None => {
+                let (point, reach) = (point.map(T::value), reach.value());
+                let own = [varying.bridged(point, reach), varying.waves_over(point, reach)];
+                let [rail, wheel] = own.map(|bulge| bulge.map(T::from));
+                (rail, wheel)
+            }
+            Some(moving) => {
+                (moving.bridged(varying, point, reach), moving.waves_over(varying, point, reach))
+            }
+        };
+        if let Some(more) = rail {
+            along.curvature += share * more;
+        }
+        along.waves = wheel.map_or(along.waves, |waves| share * waves);
+        Some(along)
+    }
+
     /// How far ahead of the even contact line the wheel meets a rail that varies at parameter `s`;
     /// nothing for others [m].
     #[must_use]
@@ -70,7 +101,7 @@ impl<'a, T: Real> RailOutline<'a, T> {
         };
         let CurvePoint { point, first, .. } = self.at(s);
         let upward = first[0] / first[0].hypotenuse(first[1]);
-        // Derivatives on corrugated rails are differences.
+        // A rail has none; corrugated rollers have no derivatives.
         let rise = varying.rise([x.value(), point[1].value()]);
         climbing + turning * upward * rise
     }

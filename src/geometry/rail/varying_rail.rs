@@ -65,8 +65,6 @@ pub struct VaryingRail {
     /// Profile of the wheel; of one whose section varies around the first one.
     profile: Curve,
     courses: Courses,
-    /// How the wheel that passed last stood in the axes along the rows.
-    pose: WheelPose,
     /// How the wheel that comes next stands against the rail, and the axes along the rows near it,
     /// where these drift or rise.
     level: Option<(WheelPose, Course)>,
@@ -79,11 +77,21 @@ pub struct VaryingRail {
     arcs: Vec<f64>,
     top: usize,
     /// Places at which rows begin or end, and whether any of them is within reach of the wheel that
-    /// passed last, which was at `station` [m] and turned by `pitch` [rad].
+    /// passed last.
     free_ends: Vec<f64>,
     is_near_end: bool,
-    station: f64,
-    pitch: f64,
+    /// How that stood.
+    stand: Stand,
+}
+
+/// How a wheel stands above a rail that varies.
+#[derive(Clone, Copy, Debug, Default)]
+struct Stand<T = f64> {
+    /// Station [m] and angle by which it is turned [rad].
+    station: T,
+    pitch: T,
+    /// How it stands in the axes along the rows.
+    pose: WheelPose<T>,
 }
 
 impl VaryingRail {
@@ -119,15 +127,13 @@ impl VaryingRail {
             profile: wheel.profile.clone(),
             courses: Courses::new(&surface, &few.rows, wheel.profile),
             few,
-            pose: WheelPose { marker: [0.0; 3], roll: 0.0, yaw: 0.0 },
             level: None,
             waves: wheel.waves.clone(),
             nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
             meeting: Meeting::new(surface.count()),
             surface,
-            station: 0.0,
-            pitch: 0.0,
+            stand: Stand::default(),
         }
     }
 
@@ -209,9 +215,9 @@ impl VaryingRail {
         if let Some(roller) = &mut self.surface.roller {
             roller.top = origin;
         }
-        (self.station, self.pitch, self.pose) = (self.station(origin, x), pitch, *pose);
+        self.stand = Stand { station: self.station(origin, x), pitch, pose: *pose };
         let reach = if self.level.is_some() { REACH_ALONG } else { REACH };
-        let near = |place: &f64| (place - self.station).abs() < reach;
+        let near = |place: &f64| (place - self.stand.station).abs() < reach;
         self.is_near_end = self.free_ends.iter().any(near);
         if line.varies_around() {
             self.wheel.follow(line.profile());
@@ -225,39 +231,46 @@ impl VaryingRail {
     }
 
     /// Lays the envelope that [`pass`](Self::pass) has laid last into `outline`, as it moves with
-    /// the wheel of `line` at `pose` above `station` [m].
+    /// the wheel of `line` at `pose` above `station` [m], turned by `pitch` [rad].
     pub fn move_with<T: Real>(
         &self,
         line: &ContactLine<T>,
         pose: &WheelPose<T>,
-        station: T,
+        [station, pitch]: [T; 2],
         outline: &mut MovingOutline<T>,
     ) {
         let Self { surface, bounds, wheel, meeting, .. } = self;
         let touch = Touch { surface, bounds, wheel };
         let within = surface.within(station.value());
-        let over = Over::new(line, pose, station, within).along(outline.course);
+        let waves = self.wheel_waves(pitch);
+        let over = Over::new(line, pose, station, within).with_waves(waves).along(outline.course);
         outline.met.clear();
         outline.met.extend(meeting.met().iter().map(|found| touch.moving(&over, found)));
         outline.envelope.lay(surface, &outline.met);
-        outline.station = station;
+        outline.stand = Stand { station, pitch, pose: *pose };
+    }
+
+    /// Deviations of a wheel that is turned by `pitch` [rad], where it has any.
+    fn wheel_waves<T: Real>(&self, pitch: T) -> Option<WheelWaves<'_, T>> {
+        let Self { waves, nominal_radius, .. } = self;
+        (!waves.is_empty()).then(|| WheelWaves::new(waves, *nominal_radius, pitch))
     }
 
     /// Meets all rows that may touch, and a few of the others.
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
-        let Self { surface, bounds, few, wheel, meeting, waves, level, .. } = self;
-        let within = surface.within(self.station);
+        let Self { surface, bounds, few, wheel, meeting, waves, level, stand, .. } = self;
+        let within = surface.within(stand.station);
         let waves =
-            (!waves.is_empty()).then(|| WheelWaves::new(waves, self.nominal_radius, self.pitch));
+            (!waves.is_empty()).then(|| WheelWaves::new(waves, self.nominal_radius, stand.pitch));
         let course = level.as_ref().map(|(_, course)| *course);
-        let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
+        let over = &Over::new(line, pose, stand.station, within).with_waves(waves).along(course);
         let touch = Touch { surface, bounds, wheel };
         // In the axes of the track, in which the bounds are; farther aside along rows that drift.
         let (level, aside) = level.as_ref().map_or((pose, 0.0), |(level, course)| {
             let [along, ..] = course.axes;
             (level, (REACH_ALONG - REACH) * (along[1] / along[0]).abs())
         });
-        let above = &Over::new(line, level, self.station, within);
+        let above = &Over::new(line, level, stand.station, within);
         let low = |j: usize| below(bounds.of(j, within.slice), wheel, above, aside);
         let lows = few.rows.iter().zip(&few.edges).map(|(&j, edge)| low(j) - edge);
         meeting.meet(&touch, few, over, lows);
@@ -293,15 +306,15 @@ impl VaryingRail {
         if !self.is_near_end {
             return None;
         }
-        let slice = self.surface.within(self.station).slice;
+        let slice = self.surface.within(self.stand.station).slice;
         let row = self.envelope.met_near(s)?.row;
-        let run = self.surface.run(row, self.station, slice)?;
-        let ends = self.surface.ends(row, run, self.station);
+        let run = self.surface.run(row, self.stand.station, slice)?;
+        let ends = self.surface.ends(row, run, self.stand.station);
         Some(ends.map(|x| {
             if self.level.is_none() || x.is_infinite() {
                 return [x, 0.0, 0.0];
             }
-            let p = self.surface.at(row, run, self.station + x, slice);
+            let p = self.surface.at(row, run, self.stand.station + x, slice);
             [x, p.value[0], p.value[1]]
         }))
     }

@@ -6,6 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::curves::curve::{Curve, Knot};
+use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 
@@ -46,6 +47,9 @@ pub struct Flat {
 
 /// Half the stretch over which a corner of a fresh flat is rounded, over the length of the flat.
 const CORNER_SHARE: f64 = 0.05;
+/// A way over which the curvature of a table, straight between its points, surely goes on as it does
+/// [m].
+const PIECE: f64 = 1e-7;
 /// Samples for each wavelength, and for each stretch of a flat over which it bends.
 const SAMPLES_PER_WAVE: f64 = 16.0;
 
@@ -70,6 +74,27 @@ impl Flat {
             FlatShape::Fresh => self.chord(t),
         };
         [value, sign * slope, curvature]
+    }
+
+    /// Derivative of the curvature at the distance `c` from the middle [1/m²].
+    fn slope_of_curvature(&self, c: f64) -> f64 {
+        let (t, sign, length) = (c.abs(), c.signum(), self.length);
+        match self.shape {
+            FlatShape::Worn if t >= 0.5 * length => 0.0,
+            FlatShape::Worn => {
+                let wave = TAU / length;
+                -0.5 * sign * self.depth * wave.powi(3) * (wave * t).sin()
+            }
+            FlatShape::Fresh => {
+                let corner = 2.0 * CORNER_SHARE * length;
+                let share = (t - 0.5 * (length - corner)) / corner;
+                if share <= 0.0 || share >= 1.0 {
+                    return 0.0;
+                }
+                let bend = 12.0 * share * (1.0 - share) + 6.0 * t / corner * (1.0 - 2.0 * share);
+                -sign * 8.0 * self.depth / (length * length) * bend / corner
+            }
+        }
     }
 
     /// The chord at the distance `t` ≥ 0 from its middle: slope k t, taken to zero over the corner
@@ -260,6 +285,34 @@ impl Waviness {
     fn from_middle(&self, flat: &Flat, c: f64) -> f64 {
         let away = c - flat.middle;
         self.period.map_or(away, |period| away - period * (away / period).round())
+    }
+
+    /// Value [m], slope [-] and curvature [1/m] at the coordinate `c`, as it moves [m].
+    #[must_use]
+    pub fn moving<T: Real>(&self, c: T) -> [T; 3] {
+        let [value, slope, curvature] = self.at(c.value());
+        if !T::HAS_SLOPES {
+            return [value.into(), slope.into(), curvature.into()];
+        }
+        let bending = || self.slope_of_curvature(c.value());
+        [c.chain(value, || slope), c.chain(slope, || curvature), c.chain(curvature, bending)]
+    }
+
+    /// Derivative of the curvature at the coordinate `c` [m], of one side where that jumps [1/m²].
+    fn slope_of_curvature(&self, c: f64) -> f64 {
+        let c = self.within_period(c);
+        let wave = |wave: &Harmonic| {
+            let k = TAU / wave.wavelength;
+            wave.amplitude * k.powi(3) * (k * c + wave.phase).sin()
+        };
+        let waves: f64 = self.harmonics.iter().map(wave).sum();
+        let table = self.table.as_ref().map_or(0.0, |curve| {
+            let is_there = c >= curve.start() && c + PIECE <= curve.end();
+            let curvature = |c: f64| curve.at(c).second[1];
+            if is_there { (curvature(c + PIECE) - curvature(c)) / PIECE } else { 0.0 }
+        });
+        let flat = self.flat.map_or(0.0, |f| f.slope_of_curvature(self.from_middle(&f, c)));
+        waves + table + flat
     }
 
     /// Value [m], slope [-] and curvature [1/m] at the coordinate `c` [m].

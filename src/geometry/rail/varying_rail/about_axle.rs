@@ -96,10 +96,7 @@ impl<T: Real> Raised<T> {
         let Some(waves) = over.waves() else { return Self::default() };
         let nominal = over.nominal_radius();
         let angle = polar.sine.atan2(polar.cosine);
-        let [height, slope, bend] = waves.surface.at(waves.below + nominal * angle.value());
-        // To first order in how the angle moves.
-        let moved = (angle - angle.value()) * nominal;
-        let (height, slope) = (moved * slope + height, moved * bend + slope);
+        let [height, slope, bend] = waves.surface.moving(waves.below + angle * nominal);
         let scale = T::from(nominal) / polar.radius;
         Self {
             height,
@@ -107,7 +104,7 @@ impl<T: Real> Raised<T> {
             bend: scale * scale * bend,
             by_arc: slope,
             // Of a polar curve, whose circles beside the axle are as round.
-            curvature: -(height + nominal * nominal * bend) / (polar.radius * polar.radius),
+            curvature: -(height + bend * nominal * nominal) / (polar.radius * polar.radius),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The outline of a rail that varies, with derivatives.
 
-use super::VaryingRail;
+use super::{Stand, VaryingRail};
 use crate::geometry::curves::curve::CurvePoint;
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::along::Along;
@@ -15,7 +15,7 @@ use crate::math::real::Real;
 pub struct MovingOutline<T> {
     pub(super) envelope: Envelope<T>,
     pub(super) met: FixedVec<Met<T>>,
-    pub(super) station: T,
+    pub(super) stand: Stand<T>,
     pub(super) course: Option<Course<T>>,
 }
 
@@ -23,8 +23,8 @@ impl<T: Real> MovingOutline<T> {
     /// Room for an outline of `count` rows.
     #[must_use]
     pub fn new(count: usize) -> Self {
-        let station = T::from(0.0);
-        Self { envelope: Envelope::new(count), met: FixedVec::new(count), station, course: None }
+        let (met, stand) = (FixedVec::new(count), Stand::default());
+        Self { envelope: Envelope::new(count), met, stand, course: None }
     }
 
     /// Point and derivatives of the outline at parameter `s` [m].
@@ -58,11 +58,23 @@ impl<T: Real> MovingOutline<T> {
         self.course
     }
 
+    /// As [`VaryingRail::bridged`], of the `rail` that this is the outline of.
+    #[must_use]
+    pub fn bridged(&self, rail: &VaryingRail, point: [T; 3], reach: T) -> Option<T> {
+        rail.bridged_under(&self.stand, self.course.as_ref(), point, reach)
+    }
+
+    /// As [`VaryingRail::waves_over`], above the `rail` that this is the outline of.
+    #[must_use]
+    pub fn waves_over(&self, rail: &VaryingRail, point: [T; 3], reach: T) -> Option<T> {
+        rail.waves_over_under(&self.stand, point, reach)
+    }
+
     /// A place (x, y, z) of the rail, x from the wheel marker, along the rows as the wheel moves on
     /// [m].
     #[must_use]
     pub fn passed(&self, [x, y, z]: [f64; 3]) -> T {
-        let x = T::moving(x, -self.station);
+        let x = T::moving(x, -self.stand.station);
         self.course.map_or(x, |course| course.place([x, y.into(), z.into()])[0])
     }
 }

@@ -1,10 +1,12 @@
 //! Waves of a rail that varies and of the wheel over it, at places where both are near.
 
-use super::VaryingRail;
 use super::waves::bulge_over;
+use super::{Stand, VaryingRail};
+use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::surface::Surface;
 use crate::geometry::uneven::wavy_section::{Waves, WavySection};
 use crate::geometry::wheel::wheel_pose::WheelPose;
+use crate::math::real::Real;
 
 /// Way over which it is told how fast places on waves go with x [m].
 const RATE_REACH: f64 = 1e-3;
@@ -33,15 +35,37 @@ impl VaryingRail {
     /// the outline, positive where it bulges more [1/m]; nothing where it is as good as that.
     #[must_use]
     pub fn bridged(&self, point: [f64; 3], reach: f64) -> Option<f64> {
-        let (corrugation, place) = (&self.surface.corrugation, self.place_on_rail(point));
-        Some(bulge_over(corrugation, place, reach)? + corrugation.at(place)[2])
+        self.bridged_under(&self.stand, self.course(), point, reach)
     }
 
     /// Curvature of the waves of the wheel over the distance `reach` to either side of the same
     /// point [m], positive where they bulge [1/m]; nothing where that of the place is as good.
     #[must_use]
     pub fn waves_over(&self, point: [f64; 3], reach: f64) -> Option<f64> {
-        bulge_over(&self.waves, self.place_on_wheel(point), reach)
+        self.waves_over_under(&self.stand, point, reach)
+    }
+
+    /// As [`bridged`](Self::bridged), under a wheel that stands so, in the axes along `course`.
+    pub(super) fn bridged_under<T: Real>(
+        &self,
+        stand: &Stand<T>,
+        course: Option<&Course<T>>,
+        point: [T; 3],
+        reach: T,
+    ) -> Option<T> {
+        let corrugation = &self.surface.corrugation;
+        let place = self.place_on_rail(stand, course, point);
+        Some(bulge_over(corrugation, place, reach)? + corrugation.moving(place)[2])
+    }
+
+    /// As [`waves_over`](Self::waves_over), of a wheel that stands so.
+    pub(super) fn waves_over_under<T: Real>(
+        &self,
+        stand: &Stand<T>,
+        point: [T; 3],
+        reach: T,
+    ) -> Option<T> {
+        bulge_over(&self.waves, self.place_on_wheel(stand, point), reach)
     }
 
     /// The waves of rail and wheel about the same point, over x from the marker.
@@ -54,27 +78,34 @@ impl VaryingRail {
             Waves { surface, at: here - rate * x, rate }
         };
         WavySection::new(
-            about(&self.surface.corrugation, &|point| self.place_on_rail(point)),
-            about(&self.waves, &|point| self.place_on_wheel(point)),
+            about(&self.surface.corrugation, &|point| {
+                self.place_on_rail(&self.stand, self.course(), point)
+            }),
+            about(&self.waves, &|point| self.place_on_wheel(&self.stand, point)),
         )
     }
 
     /// Place on the corrugation at that point [m].
-    fn place_on_rail(&self, [x, y, z]: [f64; 3]) -> f64 {
-        let along_track = self.course().map_or(x, |course| course.on_rail([x, y, z])[0]);
-        let place = self.station + along_track;
+    fn place_on_rail<T: Real>(
+        &self,
+        stand: &Stand<T>,
+        course: Option<&Course<T>>,
+        [x, y, z]: [T; 3],
+    ) -> T {
+        let along_track = course.map_or(x, |course| course.on_rail([x, y, z])[0]);
+        let place = stand.station + along_track;
         self.surface.roller.map_or(place, |roller| roller.arc(place, z))
     }
 
     /// Place on the nominal rolling circle at that point [m].
-    fn place_on_wheel(&self, [x, y, z]: [f64; 3]) -> f64 {
-        let WheelPose { marker, roll, yaw } = self.pose;
+    fn place_on_wheel<T: Real>(&self, stand: &Stand<T>, [x, y, z]: [T; 3]) -> T {
+        let WheelPose { marker, roll, yaw } = stand.pose;
         let (sine, cosine) = roll.sin_cos();
         let (y, z) = (y - marker[1], z - marker[2]);
         let (across, below) = (y * cosine + z * sine, z * cosine - y * sine);
         let (sine, cosine) = yaw.sin_cos();
         let angle = (x * cosine + across * sine).atan2(below);
-        (angle - self.pitch) * self.nominal_radius
+        (angle - stand.pitch) * self.nominal_radius
     }
 
     /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
@@ -84,7 +115,7 @@ impl VaryingRail {
         let Surface { roller, corrugation, .. } = &self.surface;
         match roller {
             Some(roller) if !corrugation.is_empty() => {
-                roller.rise(corrugation, self.station + x, z)
+                roller.rise(corrugation, self.stand.station + x, z)
             }
             _ => 0.0,
         }

@@ -27,7 +27,7 @@ pub(super) struct Over<'a, T: Real = f64> {
     /// The axes of the outline, where the rows drift or rise.
     course: Option<Course<T>>,
     /// Deviations of the wheel over its angle, where it has any.
-    waves: Option<WheelWaves<'a>>,
+    waves: Option<WheelWaves<'a, T>>,
     /// Directions to the right and down in the plane across the track, in the axes of the outline
     /// [-].
     pub right: [T; 2],
@@ -78,7 +78,7 @@ impl<'a, T: Real> Over<'a, T> {
     }
 
     /// The same with deviations over its angle.
-    pub fn with_waves(self, waves: Option<WheelWaves<'a>>) -> Self {
+    pub fn with_waves(self, waves: Option<WheelWaves<'a, T>>) -> Self {
         Self { waves, ..self }
     }
 
@@ -150,7 +150,7 @@ impl<'a, T: Real> Over<'a, T> {
     }
 
     /// Deviations of the wheel over its angle, where it has any.
-    pub fn waves(&self) -> Option<&WheelWaves<'a>> {
+    pub fn waves(&self) -> Option<&WheelWaves<'a, T>> {
         self.waves.as_ref()
     }
 

@@ -2,14 +2,15 @@
 
 use crate::geometry::sections::rows::surface::REACH;
 use crate::geometry::uneven::waviness::Waviness;
+use crate::math::real::Real;
 
 /// Deviations of a wheel over the arc of its nominal rolling circle, and how it stands.
 #[derive(Clone, Copy)]
-pub(super) struct WheelWaves<'a> {
+pub(super) struct WheelWaves<'a, T = f64> {
     /// The deviations [m].
     pub surface: &'a Waviness,
     /// Place of the nominal rolling circle straight below the axle [m].
-    pub below: f64,
+    pub below: T,
     /// Whether the wheel may be hollow within reach.
     is_hollow: bool,
 }
@@ -24,12 +25,13 @@ pub(in crate::geometry) const MIN_REACH: f64 = 1e-2;
 /// Farthest place of touch along the nominal rolling circle [m].
 const FARTHEST: f64 = 1.2 * REACH;
 
-impl<'a> WheelWaves<'a> {
+impl<'a, T: Real> WheelWaves<'a, T> {
     /// Those of the `surface` of a wheel turned by `pitch` [rad] with the radius `nominal_radius`
     /// [m].
-    pub fn new(surface: &'a Waviness, nominal_radius: f64, pitch: f64) -> Self {
+    pub fn new(surface: &'a Waviness, nominal_radius: f64, pitch: T) -> Self {
         let below = -pitch * nominal_radius;
-        let curvature = surface.curvature_within([below - FARTHEST, below + FARTHEST]);
+        let (from, to) = (below.value() - FARTHEST, below.value() + FARTHEST);
+        let curvature = surface.curvature_within([from, to]);
         Self { surface, below, is_hollow: curvature > HOLLOW_SHARE / nominal_radius }
     }
 
@@ -46,10 +48,10 @@ impl<'a> WheelWaves<'a> {
 
 /// Curvature of `waves` over the distance `reach` to either side of the place `at` [m], positive
 /// where they bulge [1/m]; nothing where that of the place is as good.
-pub(super) fn bulge_over(waves: &Waviness, at: f64, reach: f64) -> Option<f64> {
-    if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
+pub(super) fn bulge_over<T: Real>(waves: &Waviness, at: T, reach: T) -> Option<T> {
+    if waves.is_empty() || reach.value() <= waves.bounds().spacing * MIN_REACH {
         return None;
     }
-    let [here, ahead, behind] = [at, at + reach, at - reach].map(|place| waves.at(place)[0]);
-    Some((2.0 * here - ahead - behind) / (reach * reach))
+    let [here, ahead, behind] = [at, at + reach, at - reach].map(|place| waves.moving(place)[0]);
+    Some((here * 2.0 - ahead - behind) / (reach * reach))
 }

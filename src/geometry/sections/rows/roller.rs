@@ -113,8 +113,8 @@ impl Roller {
     }
 
     /// Arc of the marker's circle at `x` from the axle and the depth `z` below the marker [m].
-    pub fn arc(&self, x: f64, z: f64) -> f64 {
-        self.top + self.radius * x.atan2(self.radius - z)
+    pub fn arc<T: Real>(&self, x: T, z: T) -> T {
+        x.atan2(-z + self.radius) * self.radius + self.top
     }
 
     /// How much higher the corrugated roller gets at `x` from the axle and the depth `z` below the

@@ -95,12 +95,10 @@ impl Surface {
         }
         let mut point = self.at_without_waves(j, run, station, near);
         if !self.corrugation.is_empty() {
-            let [height, slope, curvature] = self.corrugation.at(station.value());
-            // To first order in how the station moves.
-            let moved = station - station.value();
-            point.value[1] -= moved * slope + height;
-            point.first[1] -= moved * curvature + slope;
-            point.second[1] -= T::from(curvature);
+            let [height, slope, curvature] = self.corrugation.moving(station);
+            point.value[1] -= height;
+            point.first[1] -= slope;
+            point.second[1] -= curvature;
         }
         point
     }
