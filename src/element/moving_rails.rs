@@ -59,7 +59,6 @@ impl Motion {
 
 impl Element {
     /// Where rails with a mass are since their first step; before it they rest in equilibrium.
-    #[must_use]
     pub fn track_state(&self) -> Option<TrackState> {
         self.track
     }
@@ -70,13 +69,11 @@ impl Element {
     }
 
     /// Whether the rails have a mass.
-    #[must_use]
     pub fn has_moving_rails(&self) -> bool {
         self.foundation.model == FoundationModel::Mass
     }
 
     /// Longest step in which a unit moves rails with a mass on [s].
-    #[must_use]
     pub fn longest_step(&self) -> f64 {
         self.foundation.longest_step
     }

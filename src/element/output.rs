@@ -168,7 +168,6 @@ impl<T: Real> Output<T> {
 
     /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which
     /// have no derivatives, are left out.
-    #[must_use]
     pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
         Output {
             wheel: self.wheel.each(&mut turn),
@@ -186,7 +185,6 @@ impl<T: Real> Output<T> {
     }
 
     /// Σ weight · output over all real numbers but wear.
-    #[must_use]
     pub(crate) fn sum_of(&self, weights: &Output) -> f64 {
         let mut all = [0.0; REAL_NUMBERS];
         let mut n = 0;
@@ -206,7 +204,6 @@ impl<T: Real> Output<T> {
 
     /// The same result seen in a mirror along the track; profile coordinates stay those of the
     /// right side.
-    #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
         Self {
             wheel: self.wheel.mirrored(),

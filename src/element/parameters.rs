@@ -330,7 +330,6 @@ impl Default for Parameters {
 
 impl Parameters {
     /// The same for a wheel of the given side; places of rails become those of that side.
-    #[must_use]
     pub fn on_side(&self, side: Side) -> Self {
         let sign = if side == Side::Left { -1.0 } else { 1.0 };
         let mut parameters = Self { side, ..self.clone() };
@@ -341,7 +340,6 @@ impl Parameters {
     }
 
     /// Whether anything is uneven along the track.
-    #[must_use]
     pub fn is_uneven(&self) -> bool {
         self.wheel_is_uneven() || (0..self.rails.len()).any(|k| self.is_corrugated(k))
     }

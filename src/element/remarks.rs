@@ -99,7 +99,6 @@ pub fn place_remark<S: Subject>(
 
 /// The remark on an input that is given, by its FMI name without the side of a wheelset, if it has no
 /// effect with these parameters.
-#[must_use]
 pub fn without_effect(parameters: &Parameters, name: &str) -> Option<Remark> {
     let friction = |wanted: FrictionDistribution| {
         let distribution = parameters.friction_distribution;

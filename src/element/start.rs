@@ -49,7 +49,6 @@ impl Element {
     }
 
     /// What is odd about the place in which the wheel starts, if anything is.
-    #[must_use]
     pub fn start_warning(&self) -> Option<StartWarning> {
         self.start_warning
     }

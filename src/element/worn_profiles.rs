@@ -132,7 +132,6 @@ impl Element {
     }
 
     /// All that wear has to remember, if there is any; profiles follow from it.
-    #[must_use]
     pub fn wear_state(&self) -> Option<WearState> {
         let wear = self.models.wear.as_ref()?;
         Some(WearState {
@@ -202,7 +201,6 @@ impl Element {
     }
 
     /// The wheel's profile with all wear so far, what is not yet in use included.
-    #[must_use]
     pub fn worn_wheel(&self) -> Option<Profile> {
         let contact = self.rails.iter().flatten().next()?;
         let mut profile = contact.wheel_profile().clone();
@@ -216,7 +214,6 @@ impl Element {
 
     /// The profile of rail number `k`, from 0, as [`worn_wheel`](Self::worn_wheel); in the frame of
     /// its profile, neither inclined nor mirrored.
-    #[must_use]
     pub fn worn_rail(&self, k: usize) -> Option<Profile> {
         let contact = self.rails.get(k)?.as_ref()?;
         let curve = self.models.wear.as_ref().and_then(|wear| {
@@ -229,7 +226,6 @@ impl Element {
 
     /// Wear depth over the lateral coordinate of the unworn profile [m]: of the wheel, or of rail
     /// number `k` from 0; as the profile in use has it.
-    #[must_use]
     pub fn wear_depth(&self, body: WornBody) -> Vec<[f64; 2]> {
         let Some(wear) = &self.models.wear else { return Vec::new() };
         let smoothing = wear.parameters.smoothing;

@@ -28,7 +28,6 @@ const POLYNOMIAL: [f64; 11] = [
 ///
 /// The angle is taken from 0, π/4 or π/2, whichever is nearest.
 #[inline]
-#[must_use]
 pub fn arctangent(y: f64, x: f64) -> f64 {
     debug_assert!(x >= 0.0 && y.is_finite());
     let side = y.abs();

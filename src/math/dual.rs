@@ -23,7 +23,6 @@ pub struct Dual<const N: usize> {
 
 impl<const N: usize> Dual<N> {
     /// The variable with the value `value` that direction number `direction` is along.
-    #[must_use]
     pub fn variable(value: f64, direction: usize) -> Self {
         let mut slopes = [0.0; N];
         slopes[direction] = 1.0;

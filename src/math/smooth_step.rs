@@ -6,7 +6,6 @@ use super::real::Real;
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-#[must_use]
 pub fn smooth_step<T: Real>(x: T) -> T {
     x * x * (-(x * 2.0) + 3.0)
 }

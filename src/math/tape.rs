@@ -185,7 +185,6 @@ impl Tape {
     }
 
     /// The same by a leaf.
-    #[must_use]
     pub fn slope_of(&self, leaf: Leaf) -> f64 {
         self.slopes[leaf.0 as usize]
     }

@@ -31,7 +31,6 @@ pub struct Ellipse<T = f64> {
 
 /// The ellipse for the approach δ > 0 [m] of bodies with undeformed distance `along` x² + `across`
 /// y², both > 0 [1/m], and the contact modulus E* [Pa].
-#[must_use]
 pub fn ellipse<T: Real>(along: T, across: T, approach: T, contact_modulus: f64) -> Ellipse<T> {
     let (axis_ratio, integrals) = axis_ratio(along.max(across) / along.min(across));
     let Complete { first, second, .. } = integrals;
@@ -81,7 +80,6 @@ pub(super) fn axis_ratio<T: Real>(curvature_ratio: T) -> (T, Complete<T>) {
 
 /// Curvatures `along` and `across` of bodies that touch in the ellipse of ln(a/b) = `log_ratio` with
 /// a b = 1 m² at an approach of 1 m: [`ellipse`] the other way round [1/m].
-#[must_use]
 pub fn curvatures(log_ratio: f64) -> [f64; 2] {
     let log_kappa = log_ratio.abs();
     let integrals = complete((-2.0 * log_kappa).exp());

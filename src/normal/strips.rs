@@ -65,7 +65,6 @@ pub struct Strips<T = f64> {
 
 impl<T: Real> Strips<T> {
     /// Room for `zones` zones of `strips` strips together; nothing is allocated later.
-    #[must_use]
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
         let column = || FixedVec::new(strips);
         Self {
@@ -82,7 +81,6 @@ impl<T: Real> Strips<T> {
     }
 
     /// The same in other numbers; without the elements.
-    #[must_use]
     pub fn in_other_numbers<O: Real>(&self) -> Strips<O>
     where
         T: Into<O>,
@@ -144,13 +142,11 @@ impl<T: Real> Strips<T> {
     }
 
     /// Whether another zone of `strips` strips fits.
-    #[must_use]
     pub fn has_room_for(&self, strips: usize) -> bool {
         self.zones.len() < self.zones.capacity() && self.y.len() + strips <= self.y.capacity()
     }
 
     /// Normal force of all zones, without damping [N].
-    #[must_use]
     pub fn load(&self) -> T {
         self.zones.iter().map(|zone| zone.load).sum()
     }

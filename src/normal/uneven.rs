@@ -71,7 +71,6 @@ struct Stretches {
 
 impl UnevenStrips {
     /// Room for zones of `strips` strips.
-    #[must_use]
     pub fn new(strips: usize) -> Self {
         let rule = GaussLegendre::new(POINTS);
         let mut quarter = [[0.0; 2]; POINTS];

@@ -37,7 +37,6 @@ struct Row {
 
 impl LoadedElements {
     /// Those of the normal model, or the pressure of `zone` on `elements` along and across it.
-    #[must_use]
     pub fn of(zone: &Zone, strips: &Strips, elements: [usize; 2]) -> Self {
         let Some(field) = &strips.elements else {
             return Self::spread(zone, strips, elements);
@@ -116,7 +115,6 @@ impl LoadedElements {
     }
 
     /// Tractions of all elements for the slip and the friction of `loaded`.
-    #[must_use]
     pub fn tractions(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
@@ -188,7 +186,6 @@ impl LoadedElements {
 }
 
 /// Tractions of the elements of `grid` that roll either way; see [`steady_rolling`].
-#[must_use]
 pub fn rolling_tractions(
     grid: &Grid,
     material: &MaterialPair,
@@ -206,7 +203,6 @@ pub fn rolling_tractions(
 }
 
 /// Pressure and tractions of bodies of unlike materials that roll either way.
-#[must_use]
 pub fn rolling_unlike(problem: &UnlikeProblem<'_>, rolling: Rolling) -> UnlikeSolution {
     match rolling {
         Rolling::Forward => steady_rolling_unlike(problem),

@@ -33,7 +33,6 @@ pub struct LoadedPart<T = f64> {
 
 impl<T: Real> LoadedPart<T> {
     /// The whole of `zone`, which carries load, with the creepage `creepage` at its centroid.
-    #[must_use]
     pub fn whole(zone: &Zone<T>, strips: &Strips<T>, creepage: Creepage<T>) -> Self {
         let [mut load, mut along, mut across, mut within] = [T::from(0.0); 4];
         for j in zone.first..zone.first + zone.count {
@@ -52,7 +51,6 @@ impl<T: Real> LoadedPart<T> {
 
     /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no
     /// load.
-    #[must_use]
     pub fn of(
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
         member: impl Fn(T) -> T,
@@ -119,7 +117,6 @@ pub struct RollingEllipse<'a, T = f64> {
 impl<T: Tabulated> RollingEllipse<'_, T> {
     /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a
     /// share slips [m²].
-    #[must_use]
     pub fn tabulated_force(&self, table: &impl ForceTable, area: T) -> CreepForce<T> {
         let &Self { ellipse, material, creepage, rolling, limit } = self;
         // Backwards the ellipse is the same seen in a mirror along x.
@@ -146,7 +143,6 @@ impl<T: Tabulated> EquivalentEllipse<T> {
     /// Longitudinal and lateral force and moment about the centre from `table` on the body that
     /// creeps, rolling forward under a friction `limit` > 0 [N], with the shear modulus of the bodies
     /// [Pa]; forces in N and N m.
-    #[must_use]
     pub fn tabulated(
         &self,
         table: &impl ForceTable,

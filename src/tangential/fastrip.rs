@@ -77,7 +77,6 @@ fn ellipse_integral<T: Real>(t: T) -> T {
 
 impl Fastrip {
     /// `elements` ≥ 1 along each strip.
-    #[must_use]
     pub fn new(elements: usize) -> Self {
         let n = elements as f64;
         let edge = |i: usize| (1.0 - 2.0 * i as f64 / n).max(-1.0);

@@ -64,7 +64,6 @@ pub struct Fastsim {
 
 impl Fastsim {
     /// `elements` ≥ 1 along each strip.
-    #[must_use]
     pub fn new(elements: usize, bound: TractionBound) -> Self {
         let n = elements as f64;
         // Antiderivative of sqrt(1 - t²) or of 1 - t².
@@ -157,7 +156,6 @@ impl<T: Marching> Rule<T> for Fastsim {
 impl Fastsim {
     /// Traction on the wheel of each element of strip `j` of a zone that rolls forward, leading
     /// edge first, and whether it slips; as in [`strip_forces`](Self::strip_forces).
-    #[must_use]
     pub fn tractions(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip>,

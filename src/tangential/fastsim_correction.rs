@@ -76,7 +76,6 @@ impl<T: Real> RigidSlip<T> for StretchedSlip<'_, T> {
 
 impl EllipseStrips {
     /// The force of FASTSIM on the ellipse `rolling`, moment about its centre.
-    #[must_use]
     pub fn force<T: Marching>(
         &self,
         fastsim: &Fastsim,

@@ -54,14 +54,12 @@ impl Default for FlashTemperature {
 
 impl FlashTemperature {
     /// Whether friction depends on temperature.
-    #[must_use]
     pub fn is_on(&self) -> bool {
         self.share < 1.0
     }
 
     /// Mean rise of temperature over the pressure of `zone` in `state`, for a coefficient of
     /// friction of one [K].
-    #[must_use]
     pub fn rise<T: Real>(&self, zone: &Zone<T>, strips: &Strips<T>, state: &RollingState<T>) -> T {
         let speed = slip_velocity(zone, state);
         if speed <= 0.0 || zone.load <= 0.0 {
@@ -80,7 +78,6 @@ impl FlashTemperature {
 
     /// Friction over that of a cold patch, h, for a cold coefficient of `friction` and the `rise`
     /// of one [-].
-    #[must_use]
     pub fn factor<T: Real>(&self, friction: T, rise: T) -> T {
         let slope = (1.0 - self.share) / self.range;
         let linear = T::from(1.0 + slope * self.onset) / (friction * rise * slope + 1.0);

@@ -22,7 +22,6 @@ pub struct StripForce<T = f64> {
 impl<T: Real> StripForce<T> {
     /// Power that friction turns into heat in a strip with the `creepage` at its centre, over the
     /// speed that creepages refer to [J/m].
-    #[must_use]
     pub fn dissipation(&self, creepage: &Creepage<T>) -> T {
         -(self.longitudinal * creepage.longitudinal
             + self.lateral * creepage.lateral

@@ -38,7 +38,6 @@ pub struct KalkerCoefficients<T = f64> {
 }
 
 /// The coefficients of an ellipse with semi-axis ratio a/b > 0 (a along rolling) and 0 ≤ ν ≤ 0.5.
-#[must_use]
 pub fn kalker_coefficients<T: Real>(axis_ratio: T, poisson_ratio: T) -> KalkerCoefficients<T> {
     let (t, nu) = (axis_ratio.ln(), poisson_ratio.value());
     let [c11, c22, c23, c33] = if T::IS_BACKWARD {
@@ -54,7 +53,6 @@ pub fn kalker_coefficients<T: Real>(axis_ratio: T, poisson_ratio: T) -> KalkerCo
 }
 
 /// ln c11, ln c22, ln c23, ln c33 at t = ln(a/b), each with its derivative by t.
-#[must_use]
 pub fn logarithms<N: Real>(t: f64, poisson_ratio: N) -> [[N; 2]; 4] {
     // Logarithms far beyond any contact patch keep the asymptotes finite.
     let inside = t.clamp(-MAX_LOG_RATIO, MAX_LOG_RATIO);

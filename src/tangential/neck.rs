@@ -82,7 +82,6 @@ pub struct Lobes<T = f64> {
 
 impl<T: Real> Lobes<T> {
     /// Those of a zone, if it has a neck.
-    #[must_use]
     pub fn of(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>) -> Option<Self> {
         let neck = Neck::of(loaded.zone, loaded.strips)?;
         let parts =
@@ -93,7 +92,6 @@ impl<T: Real> Lobes<T> {
 
 impl<T: Real> Neck<T> {
     /// The neck of `zone`, if it has one.
-    #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
         let [ys, lengths, pressures] =
@@ -147,7 +145,6 @@ impl<T: Real> Neck<T> {
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.
-    #[must_use]
     pub fn member(&self, side: Side, y: T) -> T {
         match side {
             Side::Left => self.left(y),
@@ -156,7 +153,6 @@ impl<T: Real> Neck<T> {
     }
 
     /// Share of a strip at `y` that belongs to the left lobe, 0 to 1.
-    #[must_use]
     pub fn left(&self, y: T) -> T {
         // Half of the one strip that a neck without width lies on belongs to either side. What that
         // neck moves by is what its strip does, which backwards would be a difference of infinities.

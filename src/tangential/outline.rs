@@ -43,7 +43,6 @@ impl<T: Real> EquivalentEllipse<T> {
     }
 
     /// c = sqrt(a b) [m].
-    #[must_use]
     pub fn mean_radius(&self) -> T {
         (self.along * self.across).sqrt()
     }
@@ -63,7 +62,6 @@ pub struct Outline<T = f64> {
 impl<T: Real> Outline<T> {
     /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no
     /// area.
-    #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
         let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];
         let [mut first, mut across, mut within] = [T::from(0.0); 3];

@@ -36,14 +36,12 @@ pub struct OwnFriction<'a, T = f64> {
 
 impl<T: Real> OwnFriction<'_, T> {
     /// Strips that have none.
-    #[must_use]
     pub fn none() -> Self {
         Self { strips: &[], factors: [T::from(1.0); 2] }
     }
 
     /// Coefficient of strip `j`, if it has one of its own [-].
     #[inline]
-    #[must_use]
     pub fn coefficient(&self, j: usize) -> Option<T> {
         self.strips.get(j).map(|own| own.under(&self.factors))
     }

@@ -94,7 +94,6 @@ pub enum ProfileRemark {
 
 impl ProfileRemark {
     /// Whether something was mended or is suspect, so that the file should be looked at.
-    #[must_use]
     pub fn is_warning(&self) -> bool {
         match self {
             Self::Smoothing { is_too_noisy, .. } => *is_too_noisy,

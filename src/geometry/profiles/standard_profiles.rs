@@ -15,7 +15,6 @@ pub const WHEEL_NAMES: &str = "S1002, conical:TANGENT, cylindrical, arc:R (hollo
 pub const RAIL_NAMES: &str = "60E1 (UIC60), 60E2, 54E1 (UIC54), flat, arc:R";
 
 /// Names of the built-in profiles of a body, for messages.
-#[must_use]
 pub fn built_in_names(kind: ProfileKind) -> &'static str {
     match kind {
         ProfileKind::Wheel => WHEEL_NAMES,

@@ -51,7 +51,6 @@ const SAMPLES_PER_WAVE: f64 = 16.0;
 
 impl Flat {
     /// Depth of a chord of `length` in a circle of `radius`, L²/(8 R) [m].
-    #[must_use]
     pub fn chord_depth(length: f64, radius: f64) -> f64 {
         length * length / (8.0 * radius)
     }
@@ -143,20 +142,17 @@ pub struct Bounds {
 impl Waviness {
     /// A surface without deviations; of a wheel, `period` is the length of its nominal rolling
     /// circle [m].
-    #[must_use]
     pub fn new(period: Option<f64>) -> Self {
         let bounds = Bounds { spacing: f64::INFINITY, ..Bounds::default() };
         Self { period, bounds, ..Self::default() }
     }
 
     /// Whether there is nothing.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.harmonics.is_empty() && self.table.is_none() && self.flat.is_none()
     }
 
     /// Bounds of value, slope and curvature.
-    #[must_use]
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
@@ -263,7 +259,6 @@ impl Waviness {
     }
 
     /// Value [m], slope [-] and curvature [1/m] at the coordinate `c` [m].
-    #[must_use]
     pub fn at(&self, c: f64) -> [f64; 3] {
         let c = self.within_period(c);
         let mut sum = [0.0; 3];

@@ -18,7 +18,6 @@ pub struct Taped {
 
 impl Taped {
     /// The variable with the value `value` by which derivatives are found under `leaf`.
-    #[must_use]
     pub fn leaf(value: f64, leaf: Leaf) -> Self {
         Self { value, place: leaf.0 }
     }

@@ -48,7 +48,6 @@ impl Clone for CoupledMarches {
 
 impl CoupledMarches {
     /// For zones of up to `strips` strips; larger ones allocate.
-    #[must_use]
     pub fn new(strips: usize) -> Self {
         let memory =
             Memory { plain: Solver::new(strips), moving: Solver::new(strips), taped: None };

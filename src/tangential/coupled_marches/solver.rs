@@ -237,7 +237,6 @@ pub type Cells = [([f64; 2], bool); CELLS];
 
 impl Solver {
     /// Solves for bodies of this Poisson's ratio; tractions of the strips taken, against their slip.
-    #[must_use]
     pub fn tractions(&mut self, poisson_ratio: f64) -> Vec<Cells> {
         self.solve(poisson_ratio);
         let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();

@@ -52,7 +52,6 @@ impl Fmu {
     }
 
     /// `file:` address of the folder of resources.
-    #[must_use]
     pub fn resource_location(&self) -> String {
         let path = self.folder.path().join("resources");
         let mut address = String::from("file://");
