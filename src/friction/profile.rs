@@ -55,7 +55,6 @@ impl FrictionProfile {
 impl FrictionTables {
     /// Coefficient of friction at the argument `across` the rail and `station` along the track
     /// [m, -]; `last` as in [`Table::at`].
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn at<T: Real>(&self, across: T, station: T, last: &mut usize) -> T {
         if let [(_, everywhere)] = self.sections.as_slice() {

@@ -130,7 +130,6 @@ impl Table {
     /// The value at `x` [-]. `last`, the number of the piece that was looked up last, is where the
     /// search begins, and becomes that of this one.
     // Inside the loop over strips: a call would cost as much as the look-up.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn at<T: Real>(&self, x: T, last: &mut usize) -> T {
         let mut number = (*last).min(self.pieces.len() - 1);

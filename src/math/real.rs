@@ -102,7 +102,6 @@ pub trait Real:
     /// `coefficients` of a piece that begins at `start`; `piece` is its address, by which
     /// derivatives go back to the curve.
     // Taken apart where it is used: half of its callers leave out the second derivative.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn on_cubic(self, start: f64, coefficients: &Cubic, piece: usize) -> [[Self; 2]; 3] {
         let _ = piece;
@@ -112,7 +111,6 @@ pub trait Real:
     /// (y, z) of a piece of a curve at this distance from its start, its first and its second
     /// derivatives.
     // As above.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn cubic(self, [c0, c1, c2, c3]: &Cubic) -> [[Self; 2]; 3] {
         let u = self;

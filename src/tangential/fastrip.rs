@@ -295,7 +295,6 @@ fn fast_march(
 /// of FASTSIM, and those of FaStrip less the closed form of [`StripTheory::adhesion`]: where the
 /// strip slips, and what is cut off where it adheres.
 // Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn march_strips<T: Real>(
     input: &LaneInput<T>,

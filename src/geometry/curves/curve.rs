@@ -32,7 +32,6 @@ pub struct CurvePoint<T = f64> {
 }
 
 impl<T: Real> CurvePoint<T> {
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn of([point, first, second]: [[T; 2]; 3]) -> Self {
         Self { point, first, second }
@@ -153,7 +152,6 @@ impl Curve {
 
     /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
     // Taken apart where it is used: half of its callers leave out the second derivative.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
         let p = self.piece_at(s.value());
@@ -162,7 +160,6 @@ impl Curve {
 
     /// The pieces of several parameters [m]: see [`PieceLanes::at`].
     // Inside each instruction set or not at all: a call would not be vectorised.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn pieces_at<const N: usize>(&self, s: &[f64; N]) -> PieceLanes<N> {
         let mut lanes = PieceLanes { start: [0.0; N], coefficients: [[[0.0; N]; 2]; 4] };
@@ -239,7 +236,6 @@ impl Curve {
         self.knots().zip(self.knots().skip(1)).map(|(from, to)| [from, to])
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn piece_at(&self, s: f64) -> &Piece {
         // Adding 2^52 leaves the rounded number in the low bits; maximum and minimum turn any s,
@@ -266,7 +262,6 @@ pub(in crate::geometry) struct PieceLanes<const N: usize> {
 
 impl<const N: usize> PieceLanes<N> {
     /// As [`Curve::at`] for the parameter `s` of `lane` [m].
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn at(&self, lane: usize, s: f64) -> CurvePoint {
         let mut own = [[0.0; 2]; 4];

@@ -224,7 +224,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     /// The point that belongs to the profile point `p`, which is on no rim, and the derivative of
     /// its (y, z).
     // Inside each instruction set or not at all: a call would not be vectorised.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn outline_with_derivative(
         &self,
@@ -243,7 +242,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// d sin α/ds where neither bound is active.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn turning(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> T {
         if on.sine.value().abs() < MAX_SINE && p.first[0] > MIN_SLOPE_COSINE {
@@ -254,7 +252,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// Where on its rolling circle the profile point `p` belongs to the line.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn circle(&self, p: &CurvePoint<T>) -> OnCircle<T> {
         let radius = p.point[1] + self.nominal_radius;
@@ -269,7 +266,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
         OnCircle { radius, flatness, slope, sine, cosine, radial }
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn point(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> LinePoint<T> {
         let [ux, uy, uz] = self.axle;

@@ -38,21 +38,18 @@ macro_rules! by_blocks {
 pub(super) use by_blocks;
 
 /// From one column of a matrix to the next, for `B` as [`by_blocks`] has it.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn stride<const B: usize>(blocks: usize) -> usize {
     if B > 0 { FEW } else { blocks.max(FEW) }
 }
 
 /// The first `B` of a column, or `count` of them for 0.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn first<const B: usize, T>(column: &[T], count: usize) -> &[T] {
     if B > 0 { &column[..B] } else { &column[..count] }
 }
 
 /// As [`first`], to be changed.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn first_mut<const B: usize, T>(column: &mut [T], count: usize) -> &mut [T] {
     if B > 0 { &mut column[..B] } else { &mut column[..count] }
@@ -95,13 +92,11 @@ pub(super) trait Simd: Copy {
     /// inlined.
     fn apart<R>(self, work: impl FnMut() -> R) -> R;
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn four(self, x: &Lanes) -> Four<Self> {
         Four { simd: self, raw: self.load(*x) }
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn splat(self, x: f64) -> Four<Self> {
         Four { simd: self, raw: self.load([x; LANES]) }
@@ -121,7 +116,6 @@ macro_rules! operation {
         impl<S: Simd> $trait for Four<S> {
             type Output = Self;
 
-            #[allow(clippy::inline_always)]
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
                 Self { raw: self.simd.$function(self.raw, other.raw), ..self }
@@ -131,7 +125,6 @@ macro_rules! operation {
         impl<S: Simd> $trait<f64> for Four<S> {
             type Output = Self;
 
-            #[allow(clippy::inline_always)]
             #[inline(always)]
             fn $function(self, other: f64) -> Self {
                 $trait::$function(self, self.simd.splat(other))
@@ -144,7 +137,6 @@ operation!(Sub sub);
 operation!(Mul mul);
 operation!(Div div);
 
-#[allow(clippy::inline_always)]
 impl<S: Simd> Four<S> {
     #[inline(always)]
     fn with(self, raw: S::Raw) -> Self {
@@ -254,7 +246,6 @@ pub(super) struct Plain;
 /// Whether every processor that this is compiled for adds a product in one instruction.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
-#[allow(clippy::inline_always)]
 impl Simd for Plain {
     type Raw = Lanes;
 

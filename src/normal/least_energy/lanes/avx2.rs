@@ -14,7 +14,6 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 const TO_EXPONENT: f64 = 6_755_399_441_055_744.0 + 1023.0;
 const MANTISSA: i32 = 52;
 
-#[allow(clippy::inline_always)]
 impl Simd for V3 {
     type Raw = __m256d;
 
@@ -165,7 +164,6 @@ pub(in super::super) struct Work<F>(pub F);
 impl<R, F: FnMut() -> R> NullaryFnOnce for Work<F> {
     type Output = R;
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn call(mut self) -> R {
         (self.0)()
@@ -173,7 +171,6 @@ impl<R, F: FnMut() -> R> NullaryFnOnce for Work<F> {
 }
 
 /// Two numbers and two others.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn pair(simd: V3, low: [f64; 2], high: [f64; 2]) -> __m256d {
     let low = simd.avx._mm256_castpd128_pd256(cast(low));
