@@ -14,25 +14,16 @@ use table::cannot_write;
 use wheelrail::io::write_whole;
 
 /// A table in the file `path`, or on standard output without one.
-///
-/// # Errors
-/// If the file cannot be made.
 pub fn table(path: Option<&Path>) -> Result<Table> {
     Table::new(path)
 }
 
 /// Writes the file `path`: what had that name before stays until the new one is complete.
-///
-/// # Errors
-/// If it cannot be written; what had that name stays then.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     write_whole(path, content).with_context(|| cannot_write(path))
 }
 
 /// Writes a text to standard output.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn say(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
@@ -40,9 +31,6 @@ pub fn say(text: &str) -> Result<()> {
 }
 
 /// Checks that no result has the name of what the same command reads, or of another result.
-///
-/// # Errors
-/// The name at fault.
 pub fn check_names<'a>(
     inputs: impl IntoIterator<Item = &'a Path>,
     outputs: impl IntoIterator<Item = Option<&'a Path>>,
@@ -75,9 +63,6 @@ fn identity(path: &Path) -> Option<PathBuf> {
 
 /// A bar for `rows` cases on standard error, or without their number a count; hidden where the rows
 /// themselves go to the terminal.
-///
-/// # Errors
-/// Never: the templates are fixed.
 pub fn progress(rows: Option<usize>, path: Option<&Path>) -> Result<ProgressBar> {
     if path.is_none() && io::stdout().is_terminal() {
         return Ok(ProgressBar::hidden());

@@ -29,9 +29,6 @@ use crate::output;
 use crate::wheelset::track::Track;
 
 /// Draws into the file `path`, `size` pixels wide and high.
-///
-/// # Errors
-/// If drawing fails or the file cannot be written.
 fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()>) -> Result<()> {
     let svg = canvas::svg(size, |area| draw(&area.margin(px(8), 0, 0, 0)))
         .with_context(|| format!("cannot draw {}", path.display()))?;

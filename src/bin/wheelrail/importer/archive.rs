@@ -27,9 +27,6 @@ pub struct Fmu {
 
 impl Fmu {
     /// Unpacks `archive` into a temporary folder and loads its library.
-    ///
-    /// # Errors
-    /// If the archive cannot be read, has no description or no library for this platform.
     pub fn open(archive: &Path) -> Result<Self> {
         let file =
             File::open(archive).with_context(|| format!("cannot open {}", archive.display()))?;

@@ -10,9 +10,6 @@ use crate::cases::{Cases, Row};
 const FEWEST_POINTS: usize = 5;
 
 /// Reads the points (y, f) [m] of a file with columns `y_mm` and `f_mm`.
-///
-/// # Errors
-/// With row and column: a cell that is no number, y that does not grow; and too few points.
 pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
     let table = Cases::read(path)?;
     let column = |name: &str| {
@@ -40,9 +37,6 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
 }
 
 /// The finite number in a cell.
-///
-/// # Errors
-/// With row and column, if there is none.
 pub fn number(row: &Row, column: usize) -> Result<f64> {
     let text = row.cell(column).unwrap_or_default();
     match wheelrail::io::number(text) {
