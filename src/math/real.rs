@@ -210,6 +210,16 @@ pub trait Real:
     fn copysign(self, sign: f64) -> Self;
 }
 
+/// Methods that are functions of this name.
+macro_rules! forwarded {
+    ($($method:ident($($argument:ident: $kind:ty),*) -> $result:ty = $function:path;)*) => {$(
+        #[inline]
+        fn $method(self, $($argument: $kind),*) -> $result {
+            $function(self, $($argument),*)
+        }
+    )*};
+}
+
 impl Real for f64 {
     const HAS_SLOPES: bool = false;
 
@@ -233,93 +243,28 @@ impl Real for f64 {
         if IS_FUSED { a.mul_add(b, self) } else { self + a * b }
     }
 
-    #[inline]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline]
-    fn powi(self, power: i32) -> Self {
-        self.powi(power)
+    forwarded! {
+        sqrt() -> Self = f64::sqrt;
+        powi(power: i32) -> Self = f64::powi;
+        ln() -> Self = f64::ln;
+        normal_ln() -> Self = logarithm::ln;
+        exp() -> Self = f64::exp;
+        sin_cos() -> (Self, Self) = f64::sin_cos;
+        asin() -> Self = f64::asin;
+        atan2(x: Self) -> Self = f64::atan2;
+        hypotenuse(other: Self) -> Self = libm::hypot;
+        abs() -> Self = f64::abs;
+        signum() -> f64 = f64::signum;
+        max(other: Self) -> Self = f64::max;
+        min(other: Self) -> Self = f64::min;
+        at_least(least: f64) -> Self = f64::max;
+        at_most(most: f64) -> Self = f64::min;
+        within(least: f64, most: f64) -> Self = f64::clamp;
+        copysign(sign: f64) -> Self = f64::copysign;
     }
 
     #[inline]
     fn three_halves(self) -> Self {
         self * self.sqrt()
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.ln()
-    }
-
-    #[inline]
-    fn normal_ln(self) -> Self {
-        logarithm::ln(self)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        self.exp()
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-
-    #[inline]
-    fn asin(self) -> Self {
-        self.asin()
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        self.atan2(x)
-    }
-
-    #[inline]
-    fn hypotenuse(self, other: Self) -> Self {
-        libm::hypot(self, other)
-    }
-
-    #[inline]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-
-    #[inline]
-    fn signum(self) -> f64 {
-        self.signum()
-    }
-
-    #[inline]
-    fn max(self, other: Self) -> Self {
-        self.max(other)
-    }
-
-    #[inline]
-    fn min(self, other: Self) -> Self {
-        self.min(other)
-    }
-
-    #[inline]
-    fn at_least(self, least: f64) -> Self {
-        self.max(least)
-    }
-
-    #[inline]
-    fn at_most(self, most: f64) -> Self {
-        self.min(most)
-    }
-
-    #[inline]
-    fn within(self, least: f64, most: f64) -> Self {
-        self.clamp(least, most)
-    }
-
-    #[inline]
-    fn copysign(self, sign: f64) -> Self {
-        self.copysign(sign)
     }
 }

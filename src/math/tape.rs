@@ -12,7 +12,6 @@
 //! The tape of a thread is empty but while an evaluation is recorded ([`Tape::record`]), which lends
 //! it the memory of its caller.
 
-mod arithmetic;
 mod taped;
 
 use std::cell::RefCell;
