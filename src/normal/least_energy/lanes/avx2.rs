@@ -14,6 +14,16 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 const TO_EXPONENT: f64 = 6_755_399_441_055_744.0 + 1023.0;
 const MANTISSA: i32 = 52;
 
+/// Operations that are one instruction.
+macro_rules! instructions {
+    ($($function:ident($($x:ident),+) = $set:ident.$instruction:ident($($operand:ident),+);)*) => {$(
+        #[inline(always)]
+        fn $function(self, $($x: __m256d),+) -> __m256d {
+            self.$set.$instruction($($operand),+)
+        }
+    )*};
+}
+
 impl Simd for V3 {
     type Raw = __m256d;
 
@@ -27,49 +37,16 @@ impl Simd for V3 {
         cast(x)
     }
 
-    #[inline(always)]
-    fn add(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_add_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn sub(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_sub_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn mul(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_mul_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn div(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_div_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn min(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_min_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn max(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_max_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn sqrt(self, x: __m256d) -> __m256d {
-        self.avx._mm256_sqrt_pd(x)
-    }
-
-    #[inline(always)]
-    fn add_product(self, c: __m256d, a: __m256d, b: __m256d) -> __m256d {
-        self.fma._mm256_fmadd_pd(a, b, c)
-    }
-
-    #[inline(always)]
-    fn sub_product(self, c: __m256d, a: __m256d, b: __m256d) -> __m256d {
-        self.fma._mm256_fnmadd_pd(a, b, c)
+    instructions! {
+        add(a, b) = avx._mm256_add_pd(a, b);
+        sub(a, b) = avx._mm256_sub_pd(a, b);
+        mul(a, b) = avx._mm256_mul_pd(a, b);
+        div(a, b) = avx._mm256_div_pd(a, b);
+        min(a, b) = avx._mm256_min_pd(a, b);
+        max(a, b) = avx._mm256_max_pd(a, b);
+        sqrt(x) = avx._mm256_sqrt_pd(x);
+        add_product(c, a, b) = fma._mm256_fmadd_pd(a, b, c);
+        sub_product(c, a, b) = fma._mm256_fnmadd_pd(a, b, c);
     }
 
     #[inline(always)]
