@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use super::{NormalProblem, Strips, Zone};
+use super::{LoadedStrip, NormalProblem, Strips, Zone};
 use crate::geometry::contacts::separation::FrameSeparation;
 use crate::leaves::CONTACT_MODULUS;
 use crate::math::elliptic::{Complete, complete};
@@ -128,14 +128,15 @@ pub fn solve<T: Real>(
     let first = strips.y.len();
     for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
         let chord = (1.0 - node * node).sqrt();
-        strips.y.push(found.semi_axis_across * *node);
-        strips.width.push(found.semi_axis_across * *weight);
-        strips.x.push(at.x);
-        strips.half_length.push(found.semi_axis_along * chord);
-        strips.pressure.push(max_pressure * chord);
-        // The contact line straight on from its contact point: the ellipse does not know more of
-        // it.
-        strips.u.push(problem.contact_u + found.semi_axis_across * *node / at.dy);
+        strips.push(LoadedStrip {
+            y: found.semi_axis_across * *node,
+            width: found.semi_axis_across * *weight,
+            x: at.x,
+            half_length: found.semi_axis_along * chord,
+            pressure: max_pressure * chord,
+            // The contact line straight on from its contact point: the ellipse does not know more.
+            u: problem.contact_u + found.semi_axis_across * *node / at.dy,
+        });
     }
     strips.zones.push(Zone {
         first,

@@ -50,7 +50,7 @@ impl LoadedElements {
     }
 
     fn spread(zone: &Zone, strips: &Strips, elements: [usize; 2]) -> Self {
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let mut x = [f64::INFINITY, f64::NEG_INFINITY];
         for j in range.clone() {
             x[0] = x[0].min(strips.x[j] - strips.half_length[j]);
@@ -145,7 +145,7 @@ impl LoadedElements {
 
     /// The rows on `zone`, each with the strip nearest to it.
     pub fn rows_of(&self, zone: &Zone) -> impl Iterator<Item = (usize, usize)> {
-        let own = zone.first..zone.first + zone.count;
+        let own = zone.range();
         let rows = self.rows.iter().enumerate();
         let nearest = rows.filter_map(|(j, row)| Some((j, row.as_ref()?.nearest())));
         nearest.filter(move |(_, strip)| own.contains(strip))
@@ -162,7 +162,7 @@ impl LoadedElements {
     ) {
         let grid = &self.grid;
         let area = grid.element_area();
-        let own = zone.first..zone.first + zone.count;
+        let own = zone.range();
         for (j, row) in self.rows.iter().enumerate() {
             let Some(row) = row else { continue };
             for (strip, share) in row.strips.into_iter().zip([1.0 - row.share, row.share]) {

@@ -35,9 +35,9 @@ impl<T: Real> LoadedPart<T> {
     /// The whole of `zone`, which carries load, with the creepage `creepage` at its centroid.
     pub fn whole(zone: &Zone<T>, strips: &Strips<T>, creepage: Creepage<T>) -> Self {
         let [mut load, mut along, mut across, mut within] = [T::from(0.0); 4];
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let (half_length, width) = (strips.half_length[j], strips.width[j]);
-            let weight = half_length * width * strips.pressure[j];
+            let weight = strips.weight(j);
             let arm = strips.y[j] - zone.y;
             load += weight;
             along += weight * half_length * half_length;
@@ -59,10 +59,9 @@ impl<T: Real> LoadedPart<T> {
         let [mut total, mut load, mut along, mut within, mut y] = [T::from(0.0); 5];
         let mut excess = T::from(0.0);
         let mut creepage = Creepage::<T>::default();
-        let range = zone.first..zone.first + zone.count;
-        let weight_of = |j: usize| strips.half_length[j] * strips.width[j] * strips.pressure[j];
+        let range = zone.range();
         for j in range.clone() {
-            let whole = weight_of(j);
+            let whole = strips.weight(j);
             let weight = whole * member(strips.y[j]);
             total += whole;
             load += weight;
@@ -82,7 +81,7 @@ impl<T: Real> LoadedPart<T> {
         }
         let y = y / load;
         let across: T =
-            range.map(|j| weight_of(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
+            range.map(|j| strips.weight(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
         Some(Self {
             share: load / total,
             ellipse: EquivalentEllipse::of_load(along / load, across / load, within / load),

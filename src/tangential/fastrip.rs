@@ -105,7 +105,7 @@ impl<T: Marching> Rule<T> for Fastrip {
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let &LoadedZone { zone, strips, material, slip, .. } = loaded;
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let step = 2.0 / self.elements.len() as f64;
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {

@@ -92,7 +92,7 @@ impl Fastsim {
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let &LoadedZone { zone, strips, slip, .. } = loaded;
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let n = self.profile.len() as f64;
         let parabola = match self.bound {
             TractionBound::Elliptic => T::from(0.0),
@@ -188,7 +188,7 @@ impl Fastsim {
         match self.bound {
             TractionBound::Elliptic => strips.pressure[j],
             TractionBound::Parabolic => {
-                let range = zone.first..zone.first + zone.count;
+                let range = zone.range();
                 let moment: f64 =
                     range.map(|j| strips.width[j] * strips.half_length[j].powi(3)).sum();
                 let square = strips.half_length[j].powi(2);

@@ -66,9 +66,9 @@ impl FlashTemperature {
             return T::from(0.0);
         }
         let (mut load, mut sum) = (T::from(0.0), T::from(0.0));
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let (pressure, half_length) = (strips.pressure[j], strips.half_length[j]);
-            let weight = half_length * strips.width[j] * pressure;
+            let weight = strips.weight(j);
             load += weight;
             sum += weight * pressure * half_length.sqrt();
         }
@@ -88,6 +88,7 @@ impl FlashTemperature {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::normal::LoadedStrip;
     use crate::tangential::Creepage;
     use approx::assert_relative_eq;
 
@@ -102,13 +103,8 @@ mod tests {
     /// One strip of 1 GPa and 5 mm half length that slides by a tenth at 20 m/s.
     fn strip() -> (Zone, Strips, RollingState) {
         let mut strips = Strips::with_capacity(1, 1);
-        for (column, value) in [
-            (&mut strips.width, 1e-3),
-            (&mut strips.half_length, 5e-3),
-            (&mut strips.pressure, 1e9),
-        ] {
-            column.push(value);
-        }
+        let (width, half_length, pressure) = (1e-3, 5e-3, 1e9);
+        strips.push(LoadedStrip { width, half_length, pressure, ..LoadedStrip::default() });
         let state = RollingState {
             creepage: Creepage { longitudinal: 0.1, lateral: 0.0, spin: 0.0 },
             forward_share: 1.0,

@@ -93,10 +93,8 @@ impl<T: Real> CreepForce<T> {
         member: impl Fn(T) -> T,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
-        let range = zone.first..zone.first + zone.count;
-        let load = |j: usize| {
-            strips.half_length[j] * strips.width[j] * strips.pressure[j] * member(strips.y[j])
-        };
+        let range = zone.range();
+        let load = |j: usize| strips.weight(j) * member(strips.y[j]);
         let total: T = range.clone().map(load).sum();
         let whole = StripForce {
             longitudinal: self.longitudinal,

@@ -93,7 +93,7 @@ impl<T: Real> Lobes<T> {
 impl<T: Real> Neck<T> {
     /// The neck of `zone`, if it has one.
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let [ys, lengths, pressures] =
             [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
         // Stretches of one strip, as uneven bodies have them, count together.
@@ -190,16 +190,15 @@ fn for_each_depth<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::normal::LoadedStrip;
     use approx::assert_abs_diff_eq;
 
     /// Strips of equal width with these loads per width.
     fn strips(loads: &[f64]) -> (Zone, Strips) {
         let mut strips = Strips::with_capacity(1, loads.len());
         for (j, q) in loads.iter().enumerate() {
-            strips.y.push(1e-3 * j as f64);
-            strips.width.push(1e-3);
-            strips.half_length.push(1e-3);
-            strips.pressure.push(1e3 * q);
+            let (y, width, half_length, pressure) = (1e-3 * j as f64, 1e-3, 1e-3, 1e3 * q);
+            strips.push(LoadedStrip { y, width, half_length, pressure, ..<_>::default() });
         }
         let count = loads.len();
         (Zone { count, width: 1e-3 * count as f64, ..Zone::default() }, strips)

@@ -65,7 +65,7 @@ impl<T: Real> Outline<T> {
     pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
         let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];
         let [mut first, mut across, mut within] = [T::from(0.0); 3];
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let (half_length, width) = (strips.half_length[j], strips.width[j]);
             let weight = half_length * width * member(strips.y[j]);
             let y = strips.y[j] - zone.y;

@@ -54,8 +54,8 @@ pub fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> 
     // Strips of a yawed wheel each have their own place on the line.
     let zero = T::from(0.0);
     let (mut ahead, mut load) = (zero, zero);
-    for j in zone.first..zone.first + zone.count {
-        let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+    for j in zone.range() {
+        let weight = strips.weight(j);
         ahead += weight * (strips.x[j] - centre(strips.u[j]));
         load += weight;
     }
