@@ -57,14 +57,6 @@ mod tests {
     }
 
     #[test]
-    fn points_are_read_in_metres() {
-        let points = read_text("y_mm,f_mm\n-2,4\n-1,1\n0,0\n1,1\n2,4\n").unwrap();
-        assert_eq!(points.len(), 5);
-        approx::assert_relative_eq!(points[0][0], -2e-3);
-        approx::assert_relative_eq!(points[0][1], 4e-3);
-    }
-
-    #[test]
     fn files_that_are_no_separation_are_refused() {
         let message = |text| format!("{:#}", read_text(text).unwrap_err());
         assert!(message("y,f\n1,2\n").contains("has no column y_mm"));
