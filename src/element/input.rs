@@ -1,6 +1,6 @@
 //! What an evaluation depends on besides the parameters.
 
-use super::parameters::RAILS;
+use super::parameters::{Mirror, RAILS};
 use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 use crate::math::real::Real;
@@ -58,10 +58,8 @@ impl Default for Input {
     }
 }
 
-impl<T: Real> Input<T> {
-    /// The same situation seen in a mirror along the track: a left wheel as a right one and the
-    /// reverse.
-    pub(crate) fn mirrored(&self) -> Self {
+impl<T: Real> Mirror for Input<T> {
+    fn mirrored(&self) -> Self {
         let wheel = &self.wheel;
         let [x, y, z] = wheel.position;
         let [vx, vy, vz] = wheel.velocity;

@@ -20,9 +20,10 @@ use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, VELOCITIES, move_all};
 use super::output::Output;
+use super::parameters::FoundationModel;
 use super::parameters::foundation::TrackState;
-use super::parameters::{FoundationModel, Side};
 use super::quasi_static_rails::solve;
+use super::steps::check_duration;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 use crate::math::real::Real;
@@ -109,15 +110,11 @@ impl Element {
         duration: f64,
     ) -> Result<(), ContactError> {
         let [from, to] = [self.admitted(from)?, self.admitted(to)?];
-        if !(duration.is_finite() && duration >= 0.0) {
-            let allowed = "a finite time in seconds, at least 0";
-            return Err(ContactError::bad_value("duration", duration, allowed));
-        }
+        check_duration(duration)?;
         if !self.has_moving_rails() {
             return Ok(());
         }
-        let mirrored = self.side == Side::Left;
-        let [from, to] = [from, to].map(|input| if mirrored { input.mirrored() } else { input });
+        let [from, to] = [from, to].map(|input| self.side.mirror(input));
         let state = self.track.unwrap_or_else(|| self.rest_at(&from));
         self.track = Some(state);
         if duration > 0.0 {

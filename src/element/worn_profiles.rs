@@ -3,7 +3,7 @@
 //! [`Element::evaluate`] never wears anything off: whoever knows that time has passed says so with
 //! [`Element::advance`]. New profiles come at the ends of intervals, see [`crate::wear::update`].
 
-use super::parameters::{RAILS, Side, VerticalMode};
+use super::parameters::{RAILS, VerticalMode};
 use super::steps::check_duration;
 use super::wear_sums::WearState;
 use super::{Element, Input, Output};
@@ -65,7 +65,7 @@ impl Element {
             self.evaluate(input, output)?;
             found.wheel.position[2] = output.wheel_z;
             let mut at_height = Output::default();
-            let right = if self.side == Side::Left { found.mirrored() } else { found };
+            let right = self.side.mirror(found);
             self.record_for(duration);
             self.forces(&right, &mut at_height);
         } else {
