@@ -221,7 +221,6 @@ impl Waviness {
     }
 
     /// Greatest curvature between two coordinates, at most [1/m].
-    #[must_use]
     pub fn curvature_within(&self, [from, to]: [f64; 2]) -> f64 {
         let all = self.bounds.curvature;
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -233,7 +232,6 @@ impl Waviness {
     }
 
     /// Value at the coordinate `c`, both [m].
-    #[must_use]
     pub fn height(&self, c: f64) -> f64 {
         let c = self.within_period(c);
         let wave =
