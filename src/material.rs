@@ -14,7 +14,6 @@ pub struct Material {
 
 impl Material {
     /// Shear modulus [Pa].
-    #[must_use]
     pub fn shear_modulus(&self) -> f64 {
         self.young_modulus / (2.0 * (1.0 + self.poisson_ratio))
     }
@@ -40,7 +39,6 @@ impl<T> MaterialPair<T> {
     pub const UNLIKE: f64 = 2e-3;
 
     /// Whether the bodies are so unlike that pressure and tractions act on each other.
-    #[must_use]
     pub fn is_unlike(&self) -> bool {
         self.coupling.abs() > Self::UNLIKE
     }
@@ -48,7 +46,6 @@ impl<T> MaterialPair<T> {
 
 impl MaterialPair {
     /// The same constants in other numbers, which do not move.
-    #[must_use]
     pub fn fixed<T: Real>(&self) -> MaterialPair<T> {
         let Self { contact_modulus, shear_modulus, poisson_ratio, coupling } = *self;
         MaterialPair {
@@ -60,7 +57,6 @@ impl MaterialPair {
     }
 
     /// The constants of `wheel` on `rail`.
-    #[must_use]
     pub fn new(wheel: Material, rail: Material) -> Self {
         let plane = |m: Material| (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus;
         let (g1, g2) = (wheel.shear_modulus(), rail.shear_modulus());

@@ -34,7 +34,6 @@ pub struct Spectrum(Vec<Complex<f64>>);
 
 impl Convolution {
     /// For grids of `along` by `across` elements.
-    #[must_use]
     pub fn new(along: usize, across: usize) -> Self {
         let padded = [fast_length(2 * along - 1, 2), fast_length(2 * across - 1, 1)];
         let mut real = RealFftPlanner::new();
@@ -68,7 +67,6 @@ impl Convolution {
     ///
     /// # Panics
     /// If the influence belongs to another grid.
-    #[must_use]
     pub fn spectrum_of(&mut self, influence: &Influence) -> Spectrum {
         assert_eq!(influence.extent(), [self.along, self.across]);
         let (along, across) = (self.along as isize, self.across as isize);

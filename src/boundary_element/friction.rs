@@ -41,7 +41,6 @@ pub struct Tractions {
 
 impl Tractions {
     /// The same seen in a mirror across x.
-    #[must_use]
     pub fn mirrored(&self, grid: &Grid) -> Self {
         let seen = |field: &[f64], sign: f64| {
             grid.mirrored(field).iter().map(|value| sign * value).collect()
@@ -86,7 +85,6 @@ pub struct FrictionProblem<'a> {
 }
 
 /// Solves `problem` from the tractions `start` (x, y) of each element.
-#[must_use]
 pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tractions {
     let FrictionProblem { grid, influence, bound, rigid, .. } = *problem;
     let mut rows = TractionRows::new(grid, bound);

@@ -21,44 +21,37 @@ pub struct Grid {
 impl Grid {
     /// `along` by `across` elements that fill the rectangle `x` by `y`, each from its least to its
     /// greatest coordinate [m].
-    #[must_use]
     pub fn over(x: [f64; 2], y: [f64; 2], along: usize, across: usize) -> Self {
         let (dx, dy) = ((x[1] - x[0]) / along as f64, (y[1] - y[0]) / across as f64);
         Self { along, across, dx, dy, leading_x: x[1] - 0.5 * dx, left_y: y[0] + 0.5 * dy }
     }
 
     /// Number of elements.
-    #[must_use]
     pub fn len(&self) -> usize {
         self.along * self.across
     }
 
     /// Whether there is no element.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// x of the centre of elements in column `i` [m].
-    #[must_use]
     pub fn x(&self, i: usize) -> f64 {
         self.leading_x - i as f64 * self.dx
     }
 
     /// y of the centre of elements in row `j` [m].
-    #[must_use]
     pub fn y(&self, j: usize) -> f64 {
         self.left_y + j as f64 * self.dy
     }
 
     /// Area of an element [m²].
-    #[must_use]
     pub fn element_area(&self) -> f64 {
         self.dx * self.dy
     }
 
     /// Whether a `pressure` of the elements acts at the border.
-    #[must_use]
     pub fn is_loaded_at_the_border(&self, pressure: &[f64]) -> bool {
         let is_border = |k: usize| {
             let (i, j) = (k % self.along, k / self.along);
@@ -73,7 +66,6 @@ impl Grid {
     }
 
     /// A field of vectors (x, y) seen in that mirror.
-    #[must_use]
     pub fn mirrored_vectors(&self, field: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut seen = self.mirrored(field);
         for vector in &mut seen {

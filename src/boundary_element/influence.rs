@@ -45,7 +45,6 @@ impl Influence {
     ///
     /// # Panics
     /// If no two elements of the grid are that far apart.
-    #[must_use]
     pub fn at(&self, along: isize, across: isize) -> f64 {
         self.row(across)[(along + self.along as isize - 1) as usize]
     }
@@ -55,7 +54,6 @@ impl Influence {
     ///
     /// # Panics
     /// If no two elements of the grid are that far apart.
-    #[must_use]
     pub fn row(&self, across: isize) -> &[f64] {
         let length = 2 * self.along - 1;
         let first = (across + self.across as isize - 1) as usize * length;
@@ -63,7 +61,6 @@ impl Influence {
     }
 
     /// Columns and rows of the grid it belongs to.
-    #[must_use]
     pub fn extent(&self) -> [usize; 2] {
         [self.along, self.across]
     }
@@ -82,7 +79,6 @@ pub struct TangentialInfluence {
 
 impl TangentialInfluence {
     /// Displacements [m/Pa] between the elements of `grid` of bodies of `material`.
-    #[must_use]
     pub fn displacement(grid: &Grid, material: &MaterialPair) -> Self {
         Self::combination(grid, material, &[(0, 1.0)])
     }
@@ -92,7 +88,6 @@ impl TangentialInfluence {
     ///
     /// Second-order difference over half elements, h = dx/2: (3 u(x) - 4 u(x + h) + u(x + 2 h))/(2
     /// h).
-    #[must_use]
     pub fn rolling_slip(grid: &Grid, material: &MaterialPair) -> Self {
         let per_step = 2.0 / grid.dx;
         let weights = [(0, 1.5 * per_step), (1, -2.0 * per_step), (2, 0.5 * per_step)];
@@ -102,7 +97,6 @@ impl TangentialInfluence {
     /// Displacement and, over the distance `rolled`, slip of steady rolling [m/Pa]: what tractions
     /// add to the slip distance of a step at whose end, or with a negative distance at whose
     /// beginning, they act.
-    #[must_use]
     pub fn displacement_and_slip(grid: &Grid, material: &MaterialPair, rolled: f64) -> Self {
         let per_step = 2.0 * rolled / grid.dx;
         let weights = [(0, 1.0 + 1.5 * per_step), (1, -2.0 * per_step), (2, 0.5 * per_step)];
@@ -139,7 +133,6 @@ impl TangentialInfluence {
 }
 
 /// Influence of pressure on the approach of the two surfaces [m/Pa].
-#[must_use]
 pub fn normal_influence(grid: &Grid, contact_modulus: f64) -> Influence {
     let corners = Corners::new(grid);
     let scale = 1.0 / (PI * contact_modulus);

@@ -48,7 +48,6 @@ const MAX_ITERATIONS: usize = 500;
 
 impl PressureSolver {
     /// For bodies with contact modulus `contact_modulus`, E* [Pa], on the elements of `grid`.
-    #[must_use]
     pub fn new(grid: Grid, contact_modulus: f64) -> Self {
         let influence = normal_influence(&grid, contact_modulus);
         let mut convolution = Convolution::new(grid.along, grid.across);
@@ -65,7 +64,6 @@ impl PressureSolver {
     }
 
     /// The grid.
-    #[must_use]
     pub fn grid(&self) -> &Grid {
         &self.grid
     }

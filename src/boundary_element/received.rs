@@ -36,7 +36,6 @@ pub struct TractionRows {
 
 impl TractionRows {
     /// Room for the elements of `grid` with `bound` > 0, no traction.
-    #[must_use]
     pub fn new(grid: &Grid, bound: &[f64]) -> Self {
         let stride = grid.along.next_multiple_of(GROUP) + GROUP;
         let stretches = bound.chunks_exact(grid.along).map(|row| {
@@ -51,7 +50,6 @@ impl TractionRows {
     }
 
     /// Whether a row is in contact.
-    #[must_use]
     pub fn is_loaded(&self, j: usize) -> bool {
         self.stretches[j].1 > 0
     }
@@ -84,7 +82,6 @@ pub struct Received {
 
 impl Received {
     /// For the elements of the grid of `influence` with the tractions `rows`.
-    #[must_use]
     pub fn new(influence: &TangentialInfluence, rows: &TractionRows) -> Self {
         let [along, across] = influence.xx.extent();
         let padded = fast_length(2 * along - 1, 2);
@@ -187,7 +184,6 @@ impl Received {
     }
 
     /// What element `i` of row `j`, begun last, receives from all tractions.
-    #[must_use]
     pub fn at(&self, i: usize, j: usize, rows: &TractionRows) -> [f64; 2] {
         let (first, groups) = rows.stretches[j];
         let (from, source, length) =

@@ -28,7 +28,6 @@ const MIN_NESTED_ELEMENTS: usize = 24;
 ///
 /// `bound` is μ p_n of each element [Pa], `rigid` its rigid slip over the rolling speed, wheel
 /// minus rail [-]; the slip of the result is over the rolling speed, too.
-#[must_use]
 pub fn steady_rolling(
     grid: &Grid,
     material: &MaterialPair,
@@ -39,7 +38,6 @@ pub fn steady_rolling(
 }
 
 /// The same within another change of the last sweep, over the sum of the tractions [-].
-#[must_use]
 pub fn steady_rolling_within(
     tolerance: f64,
     grid: &Grid,

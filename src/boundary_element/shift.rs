@@ -14,7 +14,6 @@ use crate::material::MaterialPair;
 ///
 /// `bound` is μ p_n of each element [Pa], `shift` that of the wheel against the rail in this step
 /// [m]; the slip is that of this step [m].
-#[must_use]
 pub fn shift(
     grid: &Grid,
     material: &MaterialPair,

@@ -57,7 +57,6 @@ pub struct TransientStep {
 
 impl TransientStep {
     /// Over the distance `rolled` [m] towards +x.
-    #[must_use]
     pub fn new(grid: &Grid, material: &MaterialPair, rolled: f64) -> Self {
         let (backward, rolled) = (rolled < 0.0, rolled.abs());
         let own =
@@ -69,7 +68,6 @@ impl TransientStep {
     ///
     /// `bound` is μ p_n of each element [Pa], `rigid` its rigid displacement in the step, wheel
     /// against rail, less what [`Memory::carried`] says [m]; `start` are tractions to begin with.
-    #[must_use]
     pub fn solve(&self, bound: &[f64], rigid: &[[f64; 2]], start: &[[f64; 2]]) -> Tractions {
         if !self.backward {
             return self.solve_forward(bound, rigid, start);
@@ -104,7 +102,6 @@ pub struct Memory {
 
 impl Memory {
     /// For steps over the distance `rolled` [m] on `grid`.
-    #[must_use]
     pub fn new(grid: &Grid, material: &MaterialPair, rolled: f64) -> Self {
         let (backward, rolled) = (rolled < 0.0, rolled.abs());
         let early = late(grid, rolled) - 1.0;

@@ -70,7 +70,6 @@ pub struct UnlikeSolution {
 
 impl UnlikeProblem<'_> {
     /// The solution for bodies that roll towards -x.
-    #[must_use]
     pub fn backward(&self) -> UnlikeSolution {
         let grid = self.grid;
         let found = steady_rolling_unlike(&UnlikeProblem {
@@ -100,7 +99,6 @@ const TOLERANCES: [f64; 2] = [1e-6, 1e-5];
 const APPROACH: f64 = 1e-10;
 
 /// Solves a problem.
-#[must_use]
 pub fn steady_rolling_unlike(problem: &UnlikeProblem<'_>) -> UnlikeSolution {
     let &UnlikeProblem { grid, material, shearing, separation, press, friction, rigid } = problem;
     let mut coupling = Coupling::new(grid, material);

@@ -43,7 +43,6 @@ impl RollingRadiusDifference {
     ///
     /// # Panics
     /// With fewer points, or with y that do not grow.
-    #[must_use]
     pub fn new(points: Vec<[f64; 2]>) -> Self {
         assert!(points.len() >= 2, "a function needs two points");
         assert!(points.windows(2).all(|p| p[1][0] > p[0][0]), "y must grow");
@@ -65,7 +64,6 @@ impl RollingRadiusDifference {
     }
 
     /// The points (y, Δr) [m].
-    #[must_use]
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
@@ -75,7 +73,6 @@ impl RollingRadiusDifference {
     ///
     /// 0 where the wheelset does not swing at that amplitude, because Δr pushes it away from there.
     /// Nothing where the turning points lie outside the points of Δr, or there is no equilibrium.
-    #[must_use]
     pub fn equivalent_conicity(&self, amplitude: f64) -> Option<f64> {
         let left = self.left_turning_point(amplitude)?;
         let right = left + 2.0 * amplitude;
@@ -108,7 +105,6 @@ impl RollingRadiusDifference {
     }
 
     /// The displacement nearest to zero at which Δr vanishes [m].
-    #[must_use]
     pub fn equilibrium(&self) -> Option<f64> {
         equilibrium(&self.points)
     }

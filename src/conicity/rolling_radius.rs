@@ -39,7 +39,6 @@ pub struct RollingRadii {
 
 impl RollingRadii {
     /// Δr = r_right - r_left [m].
-    #[must_use]
     pub fn difference(&self) -> f64 {
         self.radius[0] - self.radius[1]
     }
@@ -74,7 +73,6 @@ impl TrackedWheelset {
 
     /// What was found and mended in the files of the profiles, which both wheels share, with the
     /// parameter that names each file.
-    #[must_use]
     pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
         self.wheels[0].profile_remarks()
     }
@@ -117,7 +115,6 @@ impl TrackedWheelset {
 
 impl RollingRadiusDifference {
     /// From at least two positions of a wheelset; nothing with fewer.
-    #[must_use]
     pub fn of(radii: &[RollingRadii]) -> Option<Self> {
         let points = radii.iter().map(|r| [r.displacement, r.difference()]).collect();
         (radii.len() >= 2).then(|| Self::new(points))

@@ -9,7 +9,7 @@ use super::derivatives::{Height, at_this_input};
 use super::gradient::{Back, Gradient};
 use super::input::{INPUTS, Input, PLACES, move_all};
 use super::output::Output;
-use super::parameters::{RAILS, Side};
+use super::parameters::RAILS;
 use super::quasi_static_rails::solve;
 use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
@@ -69,8 +69,7 @@ impl Element {
     ) -> Result<(), ContactError> {
         let input = self.admitted(input)?;
         self.check_models()?;
-        let mirrored = self.side == Side::Left;
-        let weights = if mirrored { weights.mirrored() } else { *weights };
+        let weights = self.side.mirror(*weights);
         let mut memory = self.backwards.take().unwrap_or_else(|| self.adjoint_memory());
         let found = self.carried_at(&input).and_then(|at| {
             let back = self.go_back(&at, &weights, &mut memory)?;
@@ -81,7 +80,7 @@ impl Element {
         let by_input = gradient.input;
         gradient.parameters.nominal_radius += self.back_to_radius(&input, &by_input);
         let by_input = self.back_to_turning(by_input);
-        gradient.input = if mirrored { by_input.mirrored() } else { by_input };
+        gradient.input = self.side.mirror(by_input);
         Ok(())
     }
 

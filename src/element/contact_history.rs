@@ -34,13 +34,11 @@ const SIZES: [f64; 2] = [1e-9, 1.0];
 impl ContactHistory {
     /// A wheel that has not rolled on: its contacts begin without tractions. That of a new element
     /// begins with the steady rolling of its first inputs.
-    #[must_use]
     pub fn without_tractions() -> Self {
         Self { has_begun: true, ..Self::default() }
     }
 
     /// Whether there was a step.
-    #[must_use]
     pub fn has_begun(&self) -> bool {
         self.has_begun
     }
@@ -54,7 +52,6 @@ impl ContactHistory {
     }
 
     /// All of it as numbers, to store: [`Self::from_numbers`] gives the same to the bit.
-    #[must_use]
     pub fn to_numbers(&self) -> Vec<f64> {
         let mut numbers = vec![f64::from(u8::from(self.has_begun))];
         for rail in &self.rails {

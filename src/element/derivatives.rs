@@ -10,9 +10,9 @@ use super::contact::models::Models;
 use super::contact::rail_friction::RailFriction;
 use super::derivative_memory::{DIRECTIONS, DerivativeMemory};
 use super::input::{INPUT_NAMES, INPUTS, Input};
-use super::output::{Output, REPORTED_PATCHES, Wrench};
+use super::output::{Output, Wrench};
 use super::parameters::foundation::FoundationModel;
-use super::parameters::{NormalModel, Side, VerticalMode};
+use super::parameters::{NormalModel, VerticalMode};
 use super::rail::moving_contact::{Kink, MovingNumber};
 use super::rail::rail_contact::RailContact;
 use super::vertical_load::is_carried;
@@ -59,15 +59,15 @@ impl Element {
     ) -> Result<(), ContactError> {
         let input = self.admitted(input)?;
         self.check_models()?;
-        let mirrored = self.side == Side::Left;
+        let side = self.side;
         let direction = self.turning(*direction);
-        let mut directions = [if mirrored { direction.mirrored() } else { direction }.to_array()];
+        let mut directions = [side.mirror(direction).to_array()];
         let followed = self.carried_at(&input).and_then(|at| {
             let ways = self.give_way(&at, &mut directions)?;
             self.with_memory(|element, DerivativeMemory { one, one_output, .. }| {
                 element.follow(&at, &directions, one, one_output, |_, mut found| {
                     found.foundation.deflection = ways[0];
-                    *rates = if mirrored { found.mirrored() } else { found };
+                    *rates = side.mirror(found);
                 })
             })
         });
@@ -106,18 +106,18 @@ impl Element {
     ) -> Result<(), ContactError> {
         let input = self.admitted(input)?;
         self.check_models()?;
-        let mirrored = self.side == Side::Left;
+        let side = self.side;
         let mut ways = [[0.0; INPUTS]; DIRECTIONS];
         for (way, direction) in ways.iter_mut().zip(directions) {
             let direction = self.turning(*direction);
-            *way = if mirrored { direction.mirrored() } else { direction }.to_array();
+            *way = side.mirror(direction).to_array();
         }
         let ways = &mut ways[..directions.len()];
         let followed = self.carried_at(&input).and_then(|at| {
             self.give_way(&at, ways)?;
             self.with_memory(|element, DerivativeMemory { all, all_output, .. }| {
                 element.follow(&at, ways, all, all_output, |n, found| {
-                    rates[n] = if mirrored { found.mirrored() } else { found }.wheel;
+                    rates[n] = side.mirror(found).wheel;
                 })
             })
         });
@@ -218,7 +218,7 @@ impl Element {
 
     /// The columns of [`jacobian`](Self::jacobian).
     fn all_columns(&mut self, at: &(Input, Height), columns: &mut Vec<Output>) -> Result<(), Kink> {
-        let mirrored = self.side == Side::Left;
+        let side = self.side;
         columns.clear();
         columns.resize(INPUTS, Output::default());
         let most = if at.1 == Height::Given { DIRECTIONS } else { DIRECTIONS - 1 };
@@ -231,7 +231,7 @@ impl Element {
                     let mut unit = [0.0; INPUTS];
                     unit[i] = 1.0;
                     let unit = self.turning(Input::from_array(unit));
-                    let unit = if mirrored { unit.mirrored() } else { unit };
+                    let unit = side.mirror(unit);
                     (directions[count], places[count]) = (unit.to_array(), i);
                     count += 1;
                 }
@@ -242,7 +242,7 @@ impl Element {
             self.with_memory(|element, DerivativeMemory { all, all_output, .. }| {
                 element.follow(at, directions, all, all_output, |n, mut found| {
                     found.foundation.deflection = ways[n];
-                    columns[places[n]] = if mirrored { found.mirrored() } else { found };
+                    columns[places[n]] = side.mirror(found);
                 })
             })?;
         }
@@ -335,7 +335,7 @@ impl Element {
     /// The input of a right side, with rails where they are on their foundation and at the height
     /// that carries its load if that is given.
     pub(super) fn carried_at(&mut self, input: &Input) -> Result<(Input, Height), Kink> {
-        let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
+        let mut input = self.side.mirror(*input);
         let is_given = self.vertical_mode == VerticalMode::Penetration;
         if is_given && self.foundation.model == FoundationModel::Rigid {
             return Ok((input, Height::Given));
@@ -372,13 +372,7 @@ impl Element {
                 rail.move_along(k, input, &mut self.models, models, output)?;
             }
         }
-        output.wheel_z = input.wheel.position[2];
-        output.load_carried = T::from(0.0) - output.wheel.force[2];
-        let patches = &mut models.patches;
-        patches.sort_unstable_by(|a, b| b.normal_force.value().total_cmp(&a.normal_force.value()));
-        for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
-            *slot = *patch;
-        }
+        output.report(input, &mut models.patches);
         Ok(())
     }
 

@@ -1,9 +1,9 @@
 //! From inputs to outputs.
 
 use super::input::Input;
-use super::output::{Output, REPORTED_PATCHES};
+use super::output::Output;
 use super::parameters::foundation::TrackState;
-use super::parameters::{FoundationModel, Side, VerticalMode};
+use super::parameters::{FoundationModel, VerticalMode};
 use super::rail::flattened::FlatContact;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;
@@ -17,7 +17,7 @@ impl Element {
     pub fn flat_contacts(&mut self, input: &Input) -> Result<Vec<FlatContact>, ContactError> {
         input.check()?;
         let input = self.turning(*input);
-        let mut input = if self.side == Side::Left { input.mirrored() } else { input };
+        let mut input = self.side.mirror(input);
         if self.foundation.model != FoundationModel::Rigid {
             let work = self.work;
             self.respond(&mut input, &mut Output::default());
@@ -38,22 +38,13 @@ impl Element {
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
         let admitted = self.admitted(input).inspect_err(|_| self.expected = None)?;
         self.work.evaluations += 1;
-        let mirrored = self.side == Side::Left;
-        let mut input = if mirrored { admitted.mirrored() } else { admitted };
+        let mut input = self.side.mirror(admitted);
         // Nothing can fail from here on.
         self.fallbacks += self.respond(&mut input, output);
-        output.wheel_z = input.wheel.position[2];
-        output.load_carried = 0.0 - output.wheel.force[2];
-        let patches = &mut self.models.patches;
-        patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
-        for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
-            *slot = *patch;
-        }
-        output.patch_count = patches.len() as i32;
+        output.report(&input, &mut self.models.patches);
+        output.patch_count = self.models.patches.len() as i32;
         output.fallback_count = self.fallback_count();
-        if mirrored {
-            *output = output.mirrored();
-        }
+        self.side.mirror_in_place(output);
         self.report_wear(output);
         Ok(())
     }

@@ -95,7 +95,6 @@ pub struct LawSlopes {
 
 impl ParameterSlopes {
     /// All of them, each with the FMI name of its parameter; NaN where there is none.
-    #[must_use]
     pub fn named(&self) -> [(&'static str, f64); 28] {
         let [tread, face] = [&self.friction_law, &self.gauge_face_law];
         [
@@ -159,7 +158,6 @@ impl Element {
     /// Whether the profile of a body, 0 the wheel and 1 and 2 the rails, is one of many, so that
     /// there are no derivatives by its points: sections that vary, or a roller.
     #[doc(hidden)]
-    #[must_use]
     pub fn point_varies(&self, body: usize) -> bool {
         let contacts = self.rails.each_ref().map(Option::as_ref);
         match body.checked_sub(1) {

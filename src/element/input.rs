@@ -1,6 +1,6 @@
 //! What an evaluation depends on besides the parameters.
 
-use super::parameters::RAILS;
+use super::parameters::{Mirror, RAILS};
 use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 use crate::math::real::Real;
@@ -58,11 +58,8 @@ impl Default for Input {
     }
 }
 
-impl<T: Real> Input<T> {
-    /// The same situation seen in a mirror along the track: a left wheel as a right one and the
-    /// reverse.
-    #[must_use]
-    pub(crate) fn mirrored(&self) -> Self {
+impl<T: Real> Mirror for Input<T> {
+    fn mirrored(&self) -> Self {
         let wheel = &self.wheel;
         let [x, y, z] = wheel.position;
         let [vx, vy, vz] = wheel.velocity;
@@ -91,7 +88,6 @@ impl<T: Real> Input<T> {
 impl<T: Real> Input<T> {
     /// All inputs, in the order of [`INPUT_NAMES`].
     #[doc(hidden)]
-    #[must_use]
     pub fn to_array(&self) -> [T; INPUTS] {
         let Self { wheel: w, wheel_load, rails: [r, s], track_s, friction, .. } = self;
         let ([x, y, z], [vx, vy, vz]) = (w.position, w.velocity);
@@ -132,7 +128,6 @@ impl<T: Real> Input<T> {
 
     /// The inputs of [`to_array`](Self::to_array).
     #[doc(hidden)]
-    #[must_use]
     pub fn from_array(all: [T; INPUTS]) -> Self {
         let rail = |k: usize, pitch_rate: usize| RailMotion {
             y: all[k],
@@ -165,13 +160,11 @@ impl<T: Real> Input<T> {
     }
 
     /// All numbers zero: no rates.
-    #[must_use]
     pub fn at_rest() -> Self {
         Self::from_array([T::from(0.0); INPUTS])
     }
 
     /// The values without derivatives.
-    #[must_use]
     pub fn value(&self) -> Input {
         Input::from_array(self.to_array().map(Real::value))
     }

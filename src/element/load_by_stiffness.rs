@@ -9,8 +9,8 @@ use nalgebra::SMatrix;
 
 use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, way_between};
 use super::input::Input;
-use super::output::Output;
-use super::parameters::{FoundationModel, Side};
+use super::output::{Output, heaviest_first};
+use super::parameters::FoundationModel;
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
 use crate::math::broyden::Broyden;
@@ -180,15 +180,12 @@ impl Element {
     /// one of `output`; nothing where its rails have a mass or where it is not one rail that carries
     /// it.
     pub(crate) fn guess_load(&mut self, input: &Input, output: &mut Output) -> Option<Carried> {
-        let mirrored = self.side == Side::Left;
-        let given = if mirrored { input.mirrored() } else { *input };
+        let given = self.side.mirror(*input);
         let held = self.held_under_load(&given).filter(|_| input.wheel_load > 0.0)?;
         let about = self.guess_held(&held, &given, output)?;
-        self.models.patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
+        heaviest_first(&mut self.models.patches);
         output.patches[0] = *self.models.patches.first()?;
-        if mirrored {
-            *output = output.mirrored();
-        }
+        self.side.mirror_in_place(output);
         Some(about)
     }
 
@@ -214,7 +211,7 @@ impl Element {
         pose: Pose,
         output: &mut Output,
     ) -> Option<PosedWheel> {
-        let given = if self.side == Side::Left { input.mirrored() } else { *input };
+        let given = self.side.mirror(*input);
         let held = self.held_under_load(&given)?;
         let input = self.put(&given, &held, about);
         let placed = self.press(about, pose, &input, output)?;

@@ -20,9 +20,10 @@ use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, VELOCITIES, move_all};
 use super::output::Output;
+use super::parameters::FoundationModel;
 use super::parameters::foundation::TrackState;
-use super::parameters::{FoundationModel, Side};
 use super::quasi_static_rails::solve;
+use super::steps::check_duration;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 use crate::math::real::Real;
@@ -59,7 +60,6 @@ impl Motion {
 
 impl Element {
     /// Where rails with a mass are since their first step; before it they rest in equilibrium.
-    #[must_use]
     pub fn track_state(&self) -> Option<TrackState> {
         self.track
     }
@@ -70,13 +70,11 @@ impl Element {
     }
 
     /// Whether the rails have a mass.
-    #[must_use]
     pub fn has_moving_rails(&self) -> bool {
         self.foundation.model == FoundationModel::Mass
     }
 
     /// Longest step in which a unit moves rails with a mass on [s].
-    #[must_use]
     pub fn longest_step(&self) -> f64 {
         self.foundation.longest_step
     }
@@ -112,15 +110,11 @@ impl Element {
         duration: f64,
     ) -> Result<(), ContactError> {
         let [from, to] = [self.admitted(from)?, self.admitted(to)?];
-        if !(duration.is_finite() && duration >= 0.0) {
-            let allowed = "a finite time in seconds, at least 0";
-            return Err(ContactError::bad_value("duration", duration, allowed));
-        }
+        check_duration(duration)?;
         if !self.has_moving_rails() {
             return Ok(());
         }
-        let mirrored = self.side == Side::Left;
-        let [from, to] = [from, to].map(|input| if mirrored { input.mirrored() } else { input });
+        let [from, to] = [from, to].map(|input| self.side.mirror(input));
         let state = self.track.unwrap_or_else(|| self.rest_at(&from));
         self.track = Some(state);
         if duration > 0.0 {

@@ -1,7 +1,8 @@
 //! What an evaluation gives.
 
-use super::parameters::RAILS;
+use super::input::Input;
 use super::parameters::foundation::TrackState;
+use super::parameters::{Mirror, RAILS};
 use crate::math::real::Real;
 
 /// Patches that are reported one by one; forces hold any number.
@@ -168,7 +169,6 @@ impl<T: Real> Output<T> {
 
     /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which
     /// have no derivatives, are left out.
-    #[must_use]
     pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
         Output {
             wheel: self.wheel.each(&mut turn),
@@ -186,7 +186,6 @@ impl<T: Real> Output<T> {
     }
 
     /// Σ weight · output over all real numbers but wear.
-    #[must_use]
     pub(crate) fn sum_of(&self, weights: &Output) -> f64 {
         let mut all = [0.0; REAL_NUMBERS];
         let mut n = 0;
@@ -204,10 +203,26 @@ impl<T: Real> Output<T> {
         sum
     }
 
-    /// The same result seen in a mirror along the track; profile coordinates stay those of the
-    /// right side.
-    #[must_use]
-    pub(crate) fn mirrored(&self) -> Self {
+    /// The height of the wheel in `input`, the load that its rails carry there, and the heaviest of
+    /// its `patches`, which get into that order.
+    pub(super) fn report(&mut self, input: &Input<T>, patches: &mut [Patch<T>]) {
+        self.wheel_z = input.wheel.position[2];
+        self.load_carried = T::from(0.0) - self.wheel.force[2];
+        heaviest_first(patches);
+        for (slot, patch) in self.patches.iter_mut().zip(patches) {
+            *slot = *patch;
+        }
+    }
+}
+
+/// Sorts patches.
+pub(super) fn heaviest_first<T: Real>(patches: &mut [Patch<T>]) {
+    patches.sort_unstable_by(|a, b| b.normal_force.value().total_cmp(&a.normal_force.value()));
+}
+
+/// Profile coordinates stay those of the right side.
+impl<T: Real> Mirror for Output<T> {
+    fn mirrored(&self) -> Self {
         Self {
             wheel: self.wheel.mirrored(),
             rails: self.rails.map(|rail| rail.mirrored()),

@@ -31,6 +31,27 @@ pub enum Side {
     Left,
 }
 
+/// What has a mirror image along the track.
+pub(crate) trait Mirror: Copy {
+    /// The same seen in a mirror: of a left wheel as of a right one and the reverse.
+    fn mirrored(&self) -> Self;
+}
+
+impl Side {
+    /// What is of a wheel on this side, as a right wheel has it, and the reverse.
+    pub(crate) fn mirror<M: Mirror>(self, mut own: M) -> M {
+        self.mirror_in_place(&mut own);
+        own
+    }
+
+    /// As [`mirror`](Self::mirror).
+    pub(crate) fn mirror_in_place<M: Mirror>(self, own: &mut M) {
+        if self == Self::Left {
+            *own = own.mirrored();
+        }
+    }
+}
+
 /// What is given of the vertical motion of the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -330,7 +351,6 @@ impl Default for Parameters {
 
 impl Parameters {
     /// The same for a wheel of the given side; places of rails become those of that side.
-    #[must_use]
     pub fn on_side(&self, side: Side) -> Self {
         let sign = if side == Side::Left { -1.0 } else { 1.0 };
         let mut parameters = Self { side, ..self.clone() };
@@ -341,7 +361,6 @@ impl Parameters {
     }
 
     /// Whether anything is uneven along the track.
-    #[must_use]
     pub fn is_uneven(&self) -> bool {
         self.wheel_is_uneven() || (0..self.rails.len()).any(|k| self.is_corrugated(k))
     }

@@ -24,7 +24,7 @@ use super::input::{INPUTS, Input, PLACES, move_all};
 use super::load_by_stiffness::{To, Way};
 use super::output::Output;
 use super::parameters::foundation::TrackState;
-use super::parameters::{FoundationModel, Side, VerticalMode};
+use super::parameters::{FoundationModel, VerticalMode};
 use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
 use crate::math::real::Real;
@@ -200,7 +200,7 @@ impl Element {
 
     /// Under a load, rails are known to rest aside as it is `carried` on them.
     pub(crate) fn known_to_rest(&mut self, input: &Input, carried: &Carried) {
-        let given = if self.side == Side::Left { input.mirrored() } else { *input };
+        let given = self.side.mirror(*input);
         if self.foundation.model == FoundationModel::Massless {
             let deflection = [carried.aside, self.sunk_under_load(&given)];
             self.rested = Some((without_height(&given), deflection, 0.0));

@@ -77,7 +77,6 @@ impl Remark {
     pub const KINDS: usize = 13;
 
     /// The kind, as a number below [`KINDS`](Self::KINDS): each is told once.
-    #[must_use]
     pub fn kind(&self) -> usize {
         match self {
             Self::Place(StartWarning::BesideTheRails { .. }) => 0,
@@ -96,13 +95,11 @@ impl Remark {
     }
 
     /// Whether it is counted in [`Output::fallback_count`](super::Output::fallback_count).
-    #[must_use]
     pub fn is_a_fallback(&self) -> bool {
         matches!(self, Self::Sunk { .. } | Self::LoadMissed { .. } | Self::Fallback { .. })
     }
 
     /// The kind in a few words, for counts.
-    #[must_use]
     pub fn title(&self) -> &'static str {
         match self {
             Self::Place(StartWarning::BesideTheRails { .. }) => "beside the rails",
@@ -123,7 +120,6 @@ impl Remark {
 
     /// The words for it; `prefix` stands before the names of variables of this wheel in a wheelset.
     /// They are written where they go, so that nothing is allocated for them.
-    #[must_use]
     pub fn message<'a>(&self, prefix: &'a str) -> impl fmt::Display + 'a {
         Message { remark: *self, prefix }
     }

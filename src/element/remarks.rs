@@ -3,9 +3,7 @@
 
 use super::input::Input;
 use super::output::{Output, Patch};
-use super::parameters::{
-    FrictionDistribution, Motion, Parameters, Side, TangentialModel, VerticalMode,
-};
+use super::parameters::{FrictionDistribution, Motion, Parameters, TangentialModel, VerticalMode};
 use super::remark::Remark;
 use super::subject::Subject;
 use super::vertical_load::is_carried;
@@ -99,7 +97,6 @@ pub fn place_remark<S: Subject>(
 
 /// The remark on an input that is given, by its FMI name without the side of a wheelset, if it has no
 /// effect with these parameters.
-#[must_use]
 pub fn without_effect(parameters: &Parameters, name: &str) -> Option<Remark> {
     let friction = |wanted: FrictionDistribution| {
         let distribution = parameters.friction_distribution;
@@ -138,7 +135,7 @@ impl Element {
     /// Whether a wheel without contact is beside all its rails or farther above them than any
     /// bounce, by bounds.
     fn is_far_from_rails(&self, input: &Input) -> bool {
-        let input = if self.side == Side::Left { input.mirrored() } else { *input };
+        let input = self.side.mirror(*input);
         self.height_near_touch(&input) - input.wheel.position[2] > super::start::FAR_ABOVE
     }
 

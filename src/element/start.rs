@@ -3,7 +3,7 @@
 
 use super::input::Input;
 use super::output::Output;
-use super::parameters::{FoundationModel, Side, VerticalMode};
+use super::parameters::{FoundationModel, VerticalMode};
 use super::rail::rail_contact::RailContact;
 use super::start_warning::StartWarning;
 use super::vertical_load::LONGEST_STEP;
@@ -49,7 +49,6 @@ impl Element {
     }
 
     /// What is odd about the place in which the wheel starts, if anything is.
-    #[must_use]
     pub fn start_warning(&self) -> Option<StartWarning> {
         self.start_warning
     }
@@ -92,7 +91,7 @@ impl Element {
         if self.foundation.model == FoundationModel::Rigid {
             return 0.0;
         }
-        let mut input = if self.side == Side::Left { start.mirrored() } else { *start };
+        let mut input = self.side.mirror(*start);
         let mut output = Output::default();
         self.respond(&mut input, &mut output);
         output.foundation.deflection[1]
@@ -100,7 +99,7 @@ impl Element {
 
     /// How far rail 2 reaches into the wheel from the side where it just touches rail 1.
     fn overlap_of_rail_2(&mut self, start: &Input) -> Option<f64> {
-        let mut at = if self.side == Side::Left { start.mirrored() } else { *start };
+        let mut at = self.side.mirror(*start);
         let (first, second) = self.rails.split_at_mut(1);
         let second = second[0].as_mut()?;
         at.wheel.position[2] = first_touch(first, &at)?.height;
@@ -123,7 +122,7 @@ impl Element {
     }
 
     fn touch_with_overlap(&mut self, start: &Input) -> Option<Touch> {
-        let input = if self.side == Side::Left { start.mirrored() } else { *start };
+        let input = self.side.mirror(*start);
         first_touch(&mut self.rails, &input)
     }
 

@@ -42,7 +42,6 @@ pub enum StartWarning {
 
 impl StartWarning {
     /// The words for it; `prefix` stands before the names of variables of this wheel in a wheelset.
-    #[must_use]
     pub fn message(&self, prefix: &str) -> String {
         let of = |name: &str| {
             if prefix.is_empty() { format!("wheel.{name}") } else { format!("wheelset.{name}") }

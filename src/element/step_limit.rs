@@ -20,7 +20,6 @@ pub struct Inertia {
 impl Inertia {
     /// Fastest rate at which creep forces damp a wheelset [1/s], from how much they damp its
     /// lateral motion [N s/m], its yaw and its rotation about the axle [N m s].
-    #[must_use]
     pub fn fastest_rate(&self, [lateral, yaw, pitch]: [f64; 3]) -> f64 {
         (lateral / self.mass).max(yaw / self.transverse).max(pitch / self.axle).max(0.0)
     }
@@ -61,7 +60,6 @@ pub struct StepLimit {
 impl StepLimit {
     /// Of a wheelset of that `inertia`, from the slopes of its wheels; stiffness and damping are
     /// those of the wheel whose normal contact has the shorter limit.
-    #[must_use]
     pub fn of(wheels: &[ContactSlopes], inertia: &Inertia) -> Self {
         let sum = |slope: fn(&ContactSlopes) -> f64| wheels.iter().map(slope).sum::<f64>();
         let creep_rate = inertia.fastest_rate([
@@ -79,7 +77,6 @@ impl StepLimit {
     }
 
     /// Longest step by the normal contact, 2 c/k [s]; infinite without contact.
-    #[must_use]
     pub fn normal(&self) -> f64 {
         if self.stiffness > 0.0 {
             2.0 * self.damping.max(0.0) / self.stiffness
@@ -89,19 +86,16 @@ impl StepLimit {
     }
 
     /// Longest step by the creep forces, 2/λ [s]; infinite without creep forces.
-    #[must_use]
     pub fn creep(&self) -> f64 {
         2.0 / self.creep_rate
     }
 
     /// The shorter of both [s].
-    #[must_use]
     pub fn longest(&self) -> f64 {
         self.normal().min(self.creep())
     }
 
     /// A round step (1, 2 or 5 times a power of ten) of at most half the limit [s].
-    #[must_use]
     pub fn proposal(&self) -> f64 {
         let half = 0.5 * self.longest();
         let decade = 10f64.powf(half.log10().floor());

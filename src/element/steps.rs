@@ -16,7 +16,6 @@ impl Element {
     }
 
     /// What contacts remember, if they do.
-    #[must_use]
     pub fn contact_history(&self) -> Option<&ContactHistory> {
         self.models.memory.as_ref().map(|memory| &memory.history)
     }

@@ -214,7 +214,7 @@ mod tests {
         let wanted = right.contact_slopes(&input, 0.75).unwrap();
         let left = Parameters { side: Side::Left, ..Parameters::default() };
         let (mut left, _) = rolling(&left);
-        let found = left.contact_slopes(&input.mirrored(), 0.75).unwrap();
+        let found = left.contact_slopes(&Side::Left.mirror(input), 0.75).unwrap();
         approx::assert_relative_eq!(found.yaw, wanted.yaw, max_relative = 1e-9);
         approx::assert_relative_eq!(found.lateral, wanted.lateral, max_relative = 1e-9);
         approx::assert_relative_eq!(found.pitch, wanted.pitch, max_relative = 1e-9);

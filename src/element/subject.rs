@@ -38,7 +38,6 @@ impl<S: Subject> BySubject<S> {
     /// The derivative by the parameter with the FMI name `name`, where sweeps know of it: of the
     /// element whose prefix it has, or of all that have it in common. Nothing where one of them has
     /// none.
-    #[must_use]
     pub fn parameter(&self, name: &str) -> Option<f64> {
         let of = |sweep: &Sweep, name: &str| {
             let [own, height] =

@@ -192,7 +192,7 @@ impl WearSums {
         let UnderLaw { state: rolling, factors, .. } = &state.law;
         self.rates.clear();
         let mut total = [0.0; 2];
-        let own = &self.dissipation[zone.first..zone.first + zone.count];
+        let own = &self.dissipation[zone.range()];
         let dissipated: f64 = own.iter().map(|d| d.max(0.0)).sum();
         let patch = match model {
             WearModel::BritishRail if dissipated > 0.0 => [&wheel, &rail]
@@ -321,7 +321,7 @@ impl WearSums {
         let duration = self.duration;
         let Self { wheel, rails, rates, .. } = self;
         let Some(rail) = &mut rails[k] else { return };
-        let widths: f64 = (zone.first..zone.first + zone.count).map(|j| strips.width[j]).sum();
+        let widths: f64 = zone.range().map(|j| strips.width[j]).sum();
         let mut u = left;
         let mut last = [wheel.to_base(u), rail.to_base(separation.rail_parameter(u))];
         for (i, rate) in rates.iter().enumerate() {
@@ -339,7 +339,7 @@ impl WearSums {
 /// Strips are as wide as a rule of quadrature has it, so that their mean place is the middle of the
 /// zone.
 fn edges(zone: &Zone, strips: &Strips) -> [f64; 2] {
-    let range = zone.first..zone.first + zone.count;
+    let range = zone.range();
     let (mut width, mut middle) = (0.0, 0.0);
     for j in range.clone() {
         width += strips.width[j];

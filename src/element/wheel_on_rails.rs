@@ -59,14 +59,12 @@ pub struct Element {
 impl Element {
     /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches;
     /// its starting height where it stands beside the rails [m].
-    #[must_use]
     pub fn nominal_wheel_z(&self) -> f64 {
         self.nominal_wheel_z
     }
 
     /// What was found and mended in the files of the profiles, with the parameter that names each
     /// file.
-    #[must_use]
     pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
         &self.remarks
     }
@@ -74,13 +72,11 @@ impl Element {
     /// Greatest angle between the normals within the contact of one rail at the last evaluation
     /// [rad]; 0 but for boundary elements, which are the only ones that lie on the curved surface
     /// each by itself.
-    #[must_use]
     pub fn turn_of_normals(&self) -> f64 {
         self.models.turn_of_normals
     }
 
     /// Work done and skipped so far.
-    #[must_use]
     pub fn work(&self) -> Work {
         let strips = self.models.strip_solver.as_ref().map(|solver| solver.work);
         let strips = strips.unwrap_or_default();
@@ -88,7 +84,6 @@ impl Element {
     }
 
     /// Contacts and zones that found no room so far.
-    #[must_use]
     pub fn fallbacks(&self) -> u64 {
         self.fallbacks
     }
@@ -96,7 +91,6 @@ impl Element {
     /// How deep the wheel of the last evaluation was below the top of a rail, where that was too
     /// deep for the outlines to tell a force: the rail then carries nothing, which is no lifted
     /// wheel [m].
-    #[must_use]
     pub fn sunk(&self) -> Option<f64> {
         self.sunk
     }
@@ -107,7 +101,6 @@ impl Element {
     }
 
     /// The count as it is reported in [`Output::fallback_count`](super::Output::fallback_count).
-    #[must_use]
     pub fn fallback_count(&self) -> i32 {
         i32::try_from(self.fallbacks).unwrap_or(i32::MAX)
     }

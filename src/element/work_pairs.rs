@@ -44,7 +44,6 @@ pub fn work_pairs<'a>(
 /// ```text
 /// R = ½ h Σ (F_0 - F_1) (v_0 + v_1)/2
 /// ```
-#[must_use]
 pub fn energy_residual(start: &WorkPairs, end: &WorkPairs, duration: f64) -> f64 {
     let pairs = start.iter().zip(end);
     let sum: f64 = pairs.map(|([f0, v0], [f1, v1])| (f0 - f1) * (v0 + v1)).sum();

@@ -3,7 +3,7 @@
 //! [`Element::evaluate`] never wears anything off: whoever knows that time has passed says so with
 //! [`Element::advance`]. New profiles come at the ends of intervals, see [`crate::wear::update`].
 
-use super::parameters::{RAILS, Side, VerticalMode};
+use super::parameters::{RAILS, VerticalMode};
 use super::steps::check_duration;
 use super::wear_sums::WearState;
 use super::{Element, Input, Output};
@@ -65,7 +65,7 @@ impl Element {
             self.evaluate(input, output)?;
             found.wheel.position[2] = output.wheel_z;
             let mut at_height = Output::default();
-            let right = if self.side == Side::Left { found.mirrored() } else { found };
+            let right = self.side.mirror(found);
             self.record_for(duration);
             self.forces(&right, &mut at_height);
         } else {
@@ -132,7 +132,6 @@ impl Element {
     }
 
     /// All that wear has to remember, if there is any; profiles follow from it.
-    #[must_use]
     pub fn wear_state(&self) -> Option<WearState> {
         let wear = self.models.wear.as_ref()?;
         Some(WearState {
@@ -202,7 +201,6 @@ impl Element {
     }
 
     /// The wheel's profile with all wear so far, what is not yet in use included.
-    #[must_use]
     pub fn worn_wheel(&self) -> Option<Profile> {
         let contact = self.rails.iter().flatten().next()?;
         let mut profile = contact.wheel_profile().clone();
@@ -216,7 +214,6 @@ impl Element {
 
     /// The profile of rail number `k`, from 0, as [`worn_wheel`](Self::worn_wheel); in the frame of
     /// its profile, neither inclined nor mirrored.
-    #[must_use]
     pub fn worn_rail(&self, k: usize) -> Option<Profile> {
         let contact = self.rails.get(k)?.as_ref()?;
         let curve = self.models.wear.as_ref().and_then(|wear| {
@@ -229,7 +226,6 @@ impl Element {
 
     /// Wear depth over the lateral coordinate of the unworn profile [m]: of the wheel, or of rail
     /// number `k` from 0; as the profile in use has it.
-    #[must_use]
     pub fn wear_depth(&self, body: WornBody) -> Vec<[f64; 2]> {
         let Some(wear) = &self.models.wear else { return Vec::new() };
         let smoothing = wear.parameters.smoothing;

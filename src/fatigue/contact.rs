@@ -20,7 +20,6 @@ pub enum Response {
 
 impl Response {
     /// Its name in tables.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Elastic => "elastic",

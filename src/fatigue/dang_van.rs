@@ -49,14 +49,12 @@ pub(super) struct Undergone {
 
 impl<'a> DangVan<'a> {
     /// Passages of `load` over a material of `strength`; nothing without load.
-    #[must_use]
     pub fn new(load: &'a SurfaceLoad, strength: &Strength) -> Option<Self> {
         let [x, _] = load.extent()?;
         Some(Self { load, weight: strength.dang_van, residual: strength.residual, x })
     }
 
     /// Equivalent stress at the `place` (y, depth ≥ 0) from the origin of the load [Pa].
-    #[must_use]
     pub fn at(&self, place: [f64; 2]) -> f64 {
         self.undergone(place).equivalent
     }
@@ -66,7 +64,6 @@ impl<'a> DangVan<'a> {
     ///
     /// The surface layer is a tenth of the patch's shorter side, or an element where that is more:
     /// there tractions rule, roughness and the surface index.
-    #[must_use]
     pub fn greatest(&self) -> Option<Equivalent> {
         let [_, [left, right]] = self.load.extent()?;
         let sides = [self.x[1] - self.x[0], right - left];

@@ -57,25 +57,21 @@ impl FatigueMap {
     }
 
     /// Places along the profile [m].
-    #[must_use]
     pub fn arcs(&self) -> &[f64] {
         &self.arcs
     }
 
     /// Depths below the profile [m].
-    #[must_use]
     pub fn depths(&self) -> &[f64] {
         &self.depths
     }
 
     /// All places, the depth innermost.
-    #[must_use]
     pub fn cells(&self) -> &[Cell] {
         &self.cells
     }
 
     /// What a passage of `load` does, whose origin lies at the place `arc` of the profile [m].
-    #[must_use]
     pub fn passage(&self, load: &SurfaceLoad, arc: f64) -> Passage {
         let (Some([x, y]), Some(judged)) = (load.extent(), DangVan::new(load, &self.strength))
         else {

@@ -15,7 +15,6 @@ const ROUNDING: f64 = 1e-12;
 /// The centre walks from a point on towards the centre of the ball through the points that it
 /// touches, until the ball touches another one; once there, the point that the centre does not need
 /// is let go (Fischer, Gärtner and Kutz 2003). The radius falls all the way.
-#[must_use]
 pub fn centre(points: &[Point]) -> Point {
     let Some(mut centre) = points.first().copied() else { return Point::zeros() };
     let farthest = (0..points.len())

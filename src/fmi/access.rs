@@ -134,10 +134,6 @@ impl<S: Described> Instance<S> {
     }
 
     /// Checks references and types, and brings up to date what they depend on.
-    ///
-    /// # Errors
-    /// An output before there is anything that could be evaluated; what is at fault with a
-    /// reference or with the parameters.
     pub(super) fn prepare_to_read(
         &mut self,
         references: impl Iterator<Item = ValueReference>,

@@ -40,10 +40,8 @@ impl<S: Described + Subject> Instance<S> {
     /// parameters of [`ParameterSlopes`](crate::element::ParameterSlopes), which are knowns after
     /// initialization too. Known by known for all else, as
     /// [`directional_derivative`](Self::directional_derivative) has it. The first call allocates, later
-    /// ones where an evaluation is longer than all before.
-    ///
-    /// # Errors
-    /// The variable at fault by name; `sensitivity` is then as before or holds a part.
+    /// ones where an evaluation is longer than all before. After an error `sensitivity` is
+    /// as before or holds a part.
     pub fn adjoint_derivative(
         &mut self,
         unknowns: &[ValueReference],

@@ -68,9 +68,6 @@ impl<S: Described> Beside<S> {
     /// Evaluates both sides of `known`, whose place they were taken over from; what is between
     /// them. At the end of its range, or where one side cannot be evaluated, the value itself is in
     /// its place. The counts of `element` stay.
-    ///
-    /// # Errors
-    /// What is at fault with the values themselves.
     pub fn sample(
         &mut self,
         known: &Variable,

@@ -29,11 +29,7 @@ impl<S: Described + Subject> Instance<S> {
     ///
     /// Exact where the element has exact derivatives, of outputs by inputs with real-time models
     /// and bodies without deviations along the track; central differences for all else. Nothing is
-    /// allocated after initialization.
-    ///
-    /// # Errors
-    /// The variable at fault by name; `sensitivity` is then as before. Or why the values beside
-    /// those that are set cannot be evaluated.
+    /// allocated after initialization. After an error `sensitivity` is as before.
     pub fn directional_derivative(
         &mut self,
         unknowns: &[ValueReference],

@@ -28,9 +28,6 @@ impl<S: Described> Instance<S> {
 
     /// Puts the event indicator into `out`, which is that of the argument `name` of as many
     /// elements.
-    ///
-    /// # Errors
-    /// Another number of elements than there are indicators; what is at fault with the inputs.
     pub fn event_indicators(
         &mut self,
         name: &'static str,

@@ -22,7 +22,6 @@ impl Default for Changeover {
 impl Changeover {
     /// Share of the gauge face over the direction z/(|y| + |z|) of the rail's tangent, 1 towards
     /// the gauge face [-].
-    #[must_use]
     pub(crate) fn gauge_face_share(&self) -> Table {
         let half = 0.5 * self.width;
         Table::over_inclination(&[[self.inclination - half, 1.0], [self.inclination + half, 0.0]])

@@ -42,7 +42,6 @@ pub struct FrictionTables {
 impl FrictionProfile {
     /// As it is looked up; its arguments across the rail are places, or directions of tangents
     /// where the profile is one of inclinations.
-    #[must_use]
     pub fn tables(&self) -> FrictionTables {
         let table = match self.across {
             Across::Inclination => Table::over_inclination,
@@ -56,9 +55,7 @@ impl FrictionProfile {
 impl FrictionTables {
     /// Coefficient of friction at the argument `across` the rail and `station` along the track
     /// [m, -]; `last` as in [`Table::at`].
-    #[allow(clippy::inline_always)]
     #[inline(always)]
-    #[must_use]
     pub fn at<T: Real>(&self, across: T, station: T, last: &mut usize) -> T {
         if let [(_, everywhere)] = self.sections.as_slice() {
             return everywhere.at(across, last);
@@ -81,7 +78,6 @@ impl FrictionTables {
     }
 
     /// Whether friction changes along the track.
-    #[must_use]
     pub fn has_stations(&self) -> bool {
         self.sections.len() > 1
     }

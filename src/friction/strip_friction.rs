@@ -20,7 +20,6 @@ impl<T: Real> StripFriction<T> {
     }
 
     /// What is between this and `other`, of which it has the `share`, 0 to 1.
-    #[must_use]
     pub fn towards(&self, other: &Self, share: T) -> Self {
         let between = |from: T, to: T| from + share * (to - from);
         Self {
@@ -32,7 +31,6 @@ impl<T: Real> StripFriction<T> {
 
     /// The coefficient when slip changes that of tread and gauge face by `factors` [-].
     #[inline]
-    #[must_use]
     pub fn under(&self, factors: &[T; 2]) -> T {
         let tread = self.tread * factors[0];
         // From the tread on, so that two alike give the same to the last bit.

@@ -7,7 +7,6 @@ use crate::math::real::Real;
 /// Direction of a tangent (y, z) as a number that grows with its inclination and takes no angle:
 /// z/(|y| + |z|) where it points to the field side, from -2 to 2 all the way round [-].
 #[inline]
-#[must_use]
 pub fn direction<T: Real>([y, z]: [T; 2]) -> T {
     let share = z / (y.abs() + z.abs());
     if y >= 0.0 {
@@ -59,7 +58,6 @@ pub(crate) const OFF: f64 = 3e-7;
 impl Table {
     /// Linear between `points` of place and value, of which there is at least one and whose places
     /// grow.
-    #[must_use]
     pub fn over_place(points: &[[f64; 2]]) -> Self {
         let mut table = Self::constant(points[0][1]);
         for pair in points.windows(2) {
@@ -72,7 +70,6 @@ impl Table {
     /// Linear over the inclination between `points` of inclination [rad] and value, of which there
     /// is at least one and whose inclinations grow; its argument is the [`direction`] of the
     /// tangent.
-    #[must_use]
     pub fn over_inclination(points: &[[f64; 2]]) -> Self {
         let mut table = Self::constant(points[0][1]);
         for pair in points.windows(2) {
@@ -133,9 +130,7 @@ impl Table {
     /// The value at `x` [-]. `last`, the number of the piece that was looked up last, is where the
     /// search begins, and becomes that of this one.
     // Inside the loop over strips: a call would cost as much as the look-up.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
-    #[must_use]
     pub fn at<T: Real>(&self, x: T, last: &mut usize) -> T {
         let mut number = (*last).min(self.pieces.len() - 1);
         while self.pieces[number].next <= x.value() {

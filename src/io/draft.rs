@@ -80,13 +80,11 @@ impl Draft {
     }
 
     /// The name that was asked for.
-    #[must_use]
     pub fn path(&self) -> &Path {
         &self.asked
     }
 
     /// Whether there is a file that can be kept before it is complete.
-    #[must_use]
     pub fn can_be_kept(&self) -> bool {
         matches!(self.target, Target::Beside(..))
     }

@@ -35,7 +35,6 @@ pub(crate) fn numbers(text: &str) -> Option<Vec<f64>> {
 }
 
 /// The number that a text is, with the exponents of Fortran admitted too: 1.5D-3 is 1.5e-3.
-#[must_use]
 pub fn number(text: &str) -> Option<f64> {
     text.parse().or_else(|_| text.replace(['d', 'D'], "e").parse()).ok()
 }

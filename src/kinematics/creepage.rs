@@ -34,7 +34,6 @@ pub struct Creepage<T = f64> {
 impl<T: Real> Creepage<T> {
     /// Whether all three vanish, so that there is nothing to compute; never where they have
     /// derivatives.
-    #[must_use]
     pub fn is_zero(&self) -> bool {
         !T::HAS_SLOPES
             && [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.value().abs() == 0.0)
@@ -48,7 +47,6 @@ const MAX_CREEPAGE: f64 = 1e6;
 /// The longitudinal creepage of a wheel with forward velocity `velocity` [m/s] and `pitch_rate`
 /// [rad/s] from its rolling radius [m] alone: (v_x + ω r)/V. Yaw, the turning of the wheel about
 /// other axes and the motion of the rail do not enter; there is no lateral creepage and no spin.
-#[must_use]
 pub fn kinematic_creepage<T: Real>(
     velocity: T,
     pitch_rate: T,
@@ -76,7 +74,6 @@ pub struct RollingSpeed<T = f64> {
 
 /// The reference speed of a wheel with forward velocity `velocity` [m/s], `pitch_rate` (negative
 /// when rolling forward) [rad/s] and rolling radius [m]; `floor` > 0 keeps it finite at standstill.
-#[must_use]
 pub fn rolling_speed<T: Real>(
     velocity: T,
     pitch_rate: T,
@@ -106,7 +103,6 @@ pub struct ContactAxes<T = f64> {
 
 impl<T: Real> ContactAxes<T> {
     /// The axes of a contact plane with unit vectors along the rail, `lateral` and `normal`.
-    #[must_use]
     pub fn along(longitudinal: Vector3<T>, lateral: Vector3<T>, normal: Vector3<T>) -> Self {
         Self { longitudinal, lateral, normal }
     }
@@ -154,7 +150,6 @@ pub struct RelativeMotion<T = f64> {
 
 impl<T: Real> RelativeMotion<T> {
     /// The motion of a wheel against a rail whose marker is at `rail_marker` [m].
-    #[must_use]
     pub fn new(wheel: &WheelMotion<T>, rail: &RailMotion<T>, rail_marker: Vector3<T>) -> Self {
         let (sin_roll, cos_roll) = wheel.roll.sin_cos();
         let (sin_yaw, cos_yaw) = wheel.yaw.sin_cos();
@@ -183,13 +178,11 @@ impl<T: Real> RelativeMotion<T> {
 
     /// Forward velocity of the surface of a roller at `point` by its turning; 0 on a straight rail
     /// [m/s].
-    #[must_use]
     pub fn roller_speed(&self, point: Vector3<T>) -> T {
         self.roller_rotation.cross(&(point - self.roller_axle)).x
     }
 
     /// Creepage at `point` [m] of a contact with the given axes, for the reference speed [m/s].
-    #[must_use]
     pub fn creepage(
         &self,
         point: Vector3<T>,
@@ -210,7 +203,6 @@ impl<T: Real> RelativeMotion<T> {
 
     /// Velocity at which the undeformed bodies close at `point`: without the turning about their
     /// axles, which moves no surface, as wheel and roller are round [m/s].
-    #[must_use]
     pub fn approach_velocity(&self, point: Vector3<T>) -> Vector3<T> {
         self.wheel_velocity + self.attitude_rotation.cross(&(point - self.wheel_marker))
             - self.rail_velocity_at(point)
@@ -218,7 +210,6 @@ impl<T: Real> RelativeMotion<T> {
 
     /// Velocity at which a wheel that is not round closes by its turning about its axle where it is
     /// met by `ahead` [m] from a round one with the same normal, whose turning closes nothing [m/s].
-    #[must_use]
     pub fn turning_velocity(&self, ahead: Vector3<T>) -> Vector3<T> {
         (self.wheel_rotation - self.attitude_rotation).cross(&ahead)
     }

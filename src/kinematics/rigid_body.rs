@@ -11,7 +11,6 @@ impl<T: Real> WheelMotion<T> {
     /// ```text
     /// u = R_x(roll) R_z(yaw) e_y = (-sin yaw, cos roll cos yaw, sin roll cos yaw)
     /// ```
-    #[must_use]
     pub fn axle(&self) -> Vector3<T> {
         let (sin_roll, cos_roll) = self.roll.sin_cos();
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
@@ -24,7 +23,6 @@ impl<T: Real> WheelMotion<T> {
     /// ```text
     /// ω - pitch_rate u = roll_rate e_x + yaw_rate e_z'
     /// ```
-    #[must_use]
     pub fn turning(&self) -> Vector3<T> {
         let (sin_roll, cos_roll) = self.roll.sin_cos();
         let yaw_axis = Vector3::new(T::from(0.0), -sin_roll, cos_roll);
@@ -32,7 +30,6 @@ impl<T: Real> WheelMotion<T> {
     }
 
     /// Angular velocity in the track frame [rad/s].
-    #[must_use]
     pub fn angular_velocity(&self) -> Vector3<T> {
         self.turning() + self.axle() * self.pitch_rate
     }
@@ -43,7 +40,6 @@ impl<T: Real> WheelMotion<T> {
     /// ```text
     /// X' = X + along u,   V' = V + ω × along u
     /// ```
-    #[must_use]
     pub fn along_axle(&self, along: f64) -> Self {
         let arm = self.axle() * T::from(along);
         let position = Vector3::from(self.position) + arm;
@@ -57,7 +53,6 @@ impl<T: Real> WheelMotion<T> {
     /// ```text
     /// R_x(roll)^T more = (Δroll_rate - Δpitch_rate sin yaw, Δpitch_rate cos yaw, Δyaw_rate)
     /// ```
-    #[must_use]
     pub fn turned_by(&self, more: &Vector3<T>) -> Self {
         let (sin_roll, cos_roll) = self.roll.sin_cos();
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
@@ -76,7 +71,6 @@ impl<T: Real> WheelMotion<T> {
     /// ```text
     /// axes^T R_x(roll) R_z(yaw) R_y(pitch) = R_x(roll') R_z(yaw') R_y(pitch')
     /// ```
-    #[must_use]
     pub fn seen_from(&self, axes: &Matrix3<T>) -> Self {
         let back = axes.transpose();
         let axle = back * self.axle();

@@ -6,7 +6,6 @@
 //! values.
 
 /// Weights of c_{k-1} to c_{k+2} at `fraction` of the way from knot k to k + 1.
-#[must_use]
 pub fn weights(fraction: f64) -> [f64; 4] {
     let (t, r) = (fraction, 1.0 - fraction);
     [
@@ -18,7 +17,6 @@ pub fn weights(fraction: f64) -> [f64; 4] {
 }
 
 /// Derivatives of [`weights`] by the fraction.
-#[must_use]
 pub fn weight_slopes(fraction: f64) -> [f64; 4] {
     let (t, r) = (fraction, 1.0 - fraction);
     [-0.5 * r * r, t * (1.5 * t - 2.0), r * (2.0 - 1.5 * r), 0.5 * t * t]
@@ -26,7 +24,6 @@ pub fn weight_slopes(fraction: f64) -> [f64; 4] {
 
 /// Knot before `u` and the fraction of the way to the next one, for coefficients of `cells` ≥ 1
 /// intervals.
-#[must_use]
 pub fn locate(u: f64, cells: usize) -> (usize, f64) {
     // A value that is not a number counts as 0.
     let cell = (u.max(0.0) as usize).min(cells - 1);
@@ -35,7 +32,6 @@ pub fn locate(u: f64, cells: usize) -> (usize, f64) {
 
 /// Coefficients c_{-1} to c_n of the spline through n ≥ 4 `values`; the slopes at both ends are
 /// those of cubics through the last four.
-#[must_use]
 pub fn coefficients(values: &[f64]) -> Vec<f64> {
     let n = values.len();
     let end_slope = |f: [f64; 4]| (-11.0 * f[0] + 18.0 * f[1] - 9.0 * f[2] + 2.0 * f[3]) / 6.0;

@@ -13,7 +13,6 @@ pub struct Broyden<const N: usize> {
 
 impl<const N: usize> Broyden<N> {
     /// From `at` with what is `left` there; a step Δ is to take `matrix` Δ off it.
-    #[must_use]
     pub fn new(matrix: SMatrix<f64, N, N>, at: SVector<f64, N>, left: SVector<f64, N>) -> Self {
         Self { matrix, at, left }
     }
@@ -31,13 +30,11 @@ impl<const N: usize> Broyden<N> {
     }
 
     /// What a step is believed to take off.
-    #[must_use]
     pub fn matrix(&self) -> &SMatrix<f64, N, N> {
         &self.matrix
     }
 
     /// Where nothing would be left, and the step to there; nothing where the matrix is singular.
-    #[must_use]
     pub fn next(&self) -> Option<[SVector<f64, N>; 2]> {
         let step = self.matrix.try_inverse()? * self.left;
         let is_finite = step.iter().all(|number| number.is_finite());

@@ -5,11 +5,7 @@
 //! instructions, and a root of nothing has no slopes instead of some that are not numbers, so that
 //! what does not count (a strip without length) does no harm.
 
-mod arithmetic;
-
-use std::cmp::Ordering;
-
-use super::by_slopes::functions_by_slopes;
+use super::by_slopes::{functions_by_slopes, operations_by_slopes};
 use super::real::Real;
 
 /// A value with its derivatives in `N` directions.
@@ -23,7 +19,6 @@ pub struct Dual<const N: usize> {
 
 impl<const N: usize> Dual<N> {
     /// The variable with the value `value` that direction number `direction` is along.
-    #[must_use]
     pub fn variable(value: f64, direction: usize) -> Self {
         let mut slopes = [0.0; N];
         slopes[direction] = 1.0;
@@ -32,25 +27,36 @@ impl<const N: usize> Dual<N> {
 
     /// A function of it with this value and derivative.
     #[inline]
-    fn function(self, value: f64, slope: f64) -> Self {
+    fn by(self, value: f64, slope: f64) -> Self {
         Self { value, slopes: self.slopes.map(|s| s * slope) }
     }
 
     /// A function of two numbers with this value and these derivatives.
     #[inline]
-    fn function_of_two(a: &Self, b: &Self, value: f64, by_a: f64, by_b: f64) -> Self {
+    fn by_two(a: Self, b: Self, value: f64, by_a: f64, by_b: f64) -> Self {
         let mut slopes = [0.0; N];
         for (i, slope) in slopes.iter_mut().enumerate() {
             *slope = a.slopes[i] * by_a + b.slopes[i] * by_b;
         }
         Self { value, slopes }
     }
-}
 
-impl<const N: usize> Default for Dual<N> {
     #[inline]
-    fn default() -> Self {
-        Self::from(0.0)
+    fn plus(mut self, other: Self) -> Self {
+        self.value += other.value;
+        for (own, other) in self.slopes.iter_mut().zip(other.slopes) {
+            *own += other;
+        }
+        self
+    }
+
+    #[inline]
+    fn minus(mut self, other: Self) -> Self {
+        self.value -= other.value;
+        for (own, other) in self.slopes.iter_mut().zip(other.slopes) {
+            *own -= other;
+        }
+        self
     }
 }
 
@@ -61,59 +67,19 @@ impl<const N: usize> From<f64> for Dual<N> {
     }
 }
 
-impl<const N: usize> PartialEq for Dual<N> {
-    #[inline]
-    fn eq(&self, other: &Self) -> bool {
-        self.value.eq(&other.value)
-    }
-}
-
-impl<const N: usize> PartialEq<f64> for Dual<N> {
-    #[inline]
-    fn eq(&self, other: &f64) -> bool {
-        self.value.eq(other)
-    }
-}
-
-impl<const N: usize> PartialOrd for Dual<N> {
-    #[inline]
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        self.value.partial_cmp(&other.value)
-    }
-}
-
-impl<const N: usize> PartialOrd<f64> for Dual<N> {
-    #[inline]
-    fn partial_cmp(&self, other: &f64) -> Option<Ordering> {
-        self.value.partial_cmp(other)
-    }
-}
+operations_by_slopes!(Dual<N>);
 
 impl<const N: usize> Real for Dual<N> {
-    const HAS_SLOPES: bool = true;
-
-    #[inline]
-    fn value(self) -> f64 {
-        self.value
-    }
-
-    #[inline]
-    fn moving(value: f64, rates: Self) -> Self {
-        Self { value, ..rates }
-    }
-
     #[inline]
     fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self {
-        self.function(value, slope())
+        self.by(value, slope())
     }
 
-    functions_by_slopes!(function, |a: Self, b: Self, value, by_a, by_b| {
-        Self::function_of_two(&a, &b, value, by_a, by_b)
-    });
+    functions_by_slopes!();
 
     #[inline]
     fn abs(self) -> Self {
-        self.function(self.value.abs(), self.value.signum())
+        self.by(self.value.abs(), self.value.signum())
     }
 }
 

@@ -18,7 +18,6 @@ pub struct Complete<T = f64> {
 /// K, E and their differences by the arithmetic-geometric mean, to rounding; 0 ≤ m < 1.
 ///
 /// `complement` is 1 - m, handed over separately so that m close to one loses nothing.
-#[must_use]
 pub fn complete<T: Real>(complement: T) -> Complete<T> {
     debug_assert!(complement > 0.0 && complement <= 1.0);
     let m = -complement + 1.0;
@@ -53,7 +52,6 @@ pub fn complete<T: Real>(complement: T) -> Complete<T> {
 /// Returns (regular, logarithmic) of the polynomial approximation of Hastings (Abramowitz and
 /// Stegun 17.3.34 and 17.3.36), absolute error below 4e-8 for 0 ≤ m ≤ 1; `complement` is 1 - m.
 #[inline]
-#[must_use]
 pub fn first_minus_second_split<T: Real>(complement: T) -> (T, T) {
     let c = complement;
     let poly = |p: &[f64; 5]| c * (c * (c * (c * p[4] + p[3]) + p[2]) + p[1]) + p[0];

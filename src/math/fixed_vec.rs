@@ -8,7 +8,6 @@ pub struct FixedVec<T>(Vec<T>);
 
 impl<T> FixedVec<T> {
     /// An empty list with room for `count` items.
-    #[must_use]
     pub fn new(count: usize) -> Self {
         Self(Vec::with_capacity(count))
     }

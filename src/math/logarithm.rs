@@ -14,7 +14,6 @@ const BELOW_ONE: u64 = 0x3ff0_0000_0000_0000 - SPLIT;
 ///
 /// x = 2^e m with m between 1/√2 and √2, and ln m = 2 artanh((m - 1)/(m + 1)) by its series.
 #[inline]
-#[must_use]
 pub fn ln(x: f64) -> f64 {
     debug_assert!(x.is_normal() && x > 0.0);
     let shifted = x.to_bits() + BELOW_ONE;

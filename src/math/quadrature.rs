@@ -11,7 +11,6 @@ pub struct GaussLegendre {
 
 impl GaussLegendre {
     /// The rule of `count` ≥ 1 points, exact for polynomials of degree 2 count - 1.
-    #[must_use]
     pub fn new(count: usize) -> Self {
         let n = count as f64;
         let (mut nodes, mut weights) = (vec![0.0; count], vec![0.0; count]);

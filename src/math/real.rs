@@ -61,27 +61,22 @@ pub trait Real:
     const IS_BACKWARD: bool = false;
 
     /// The number without derivatives.
-    #[must_use]
     fn value(self) -> f64;
 
     /// The number `value` with the derivatives of `rates`: what a search has found, and how it
     /// moves.
-    #[must_use]
     fn moving(value: f64, rates: Self) -> Self;
 
     /// The number `value` that is by each of the `operands` what stands beside it.
-    #[must_use]
     fn combined<'a>(value: f64, operands: impl Iterator<Item = (&'a Self, f64)>) -> Self {
         let moved = operands.map(|(operand, slope)| *operand * slope);
         Self::moving(value, moved.sum())
     }
 
     /// The function of this number that has the value `value` and the derivative `slope()` there.
-    #[must_use]
     fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self;
 
     /// Itself times a constant of the model, by which derivatives go back to `leaf`.
-    #[must_use]
     #[inline]
     fn times(self, constant: f64, leaf: Leaf) -> Self {
         let _ = leaf;
@@ -90,7 +85,6 @@ pub trait Real:
 
     /// Itself times a `multiple` of a constant of the model, by the logarithm of which derivatives
     /// go back to `leaf`.
-    #[must_use]
     #[inline]
     fn scaled(self, multiple: f64, leaf: Leaf) -> Self {
         let _ = leaf;
@@ -98,7 +92,6 @@ pub trait Real:
     }
 
     /// A constant of the model, by which derivatives go back to `leaf`.
-    #[must_use]
     #[inline]
     fn known(value: f64, leaf: Leaf) -> Self {
         let _ = leaf;
@@ -109,8 +102,6 @@ pub trait Real:
     /// `coefficients` of a piece that begins at `start`; `piece` is its address, by which
     /// derivatives go back to the curve.
     // Taken apart where it is used: half of its callers leave out the second derivative.
-    #[allow(clippy::inline_always)]
-    #[must_use]
     #[inline(always)]
     fn on_cubic(self, start: f64, coefficients: &Cubic, piece: usize) -> [[Self; 2]; 3] {
         let _ = piece;
@@ -120,8 +111,6 @@ pub trait Real:
     /// (y, z) of a piece of a curve at this distance from its start, its first and its second
     /// derivatives.
     // As above.
-    #[allow(clippy::inline_always)]
-    #[must_use]
     #[inline(always)]
     fn cubic(self, [c0, c1, c2, c3]: &Cubic) -> [[Self; 2]; 3] {
         let u = self;
@@ -138,7 +127,6 @@ pub trait Real:
 
     /// A function of a few numbers; derivatives backwards see the function as a whole, which is
     /// cheaper the more there is in it.
-    #[must_use]
     #[inline]
     fn as_whole<const K: usize, const M: usize>(
         numbers: [Self; K],
@@ -149,7 +137,6 @@ pub trait Real:
 
     /// The same where the function was asked for at the same values before, and what it found then
     /// may have been `kept`.
-    #[must_use]
     #[inline]
     fn as_whole_again<const K: usize, const M: usize>(
         numbers: [Self; K],
@@ -162,84 +149,75 @@ pub trait Real:
 
     /// Itself and `a` `b`; of plain numbers rounded once if `IS_FUSED`, which is fast where the
     /// instructions that are compiled for have that.
-    #[must_use]
     #[inline]
     fn add_product<const IS_FUSED: bool>(self, a: Self, b: Self) -> Self {
         self + a * b
     }
 
     /// Square root; at zero without derivatives.
-    #[must_use]
     fn sqrt(self) -> Self;
 
     /// Whole power.
-    #[must_use]
     fn powi(self, power: i32) -> Self;
 
     /// Power 3/2.
-    #[must_use]
     fn three_halves(self) -> Self;
 
     /// Natural logarithm.
-    #[must_use]
     fn ln(self) -> Self;
 
     /// Natural logarithm of a normal number > 0, as [`logarithm::ln`].
-    #[must_use]
     fn normal_ln(self) -> Self;
 
     /// Exponential.
-    #[must_use]
     fn exp(self) -> Self;
 
     /// Sine and cosine.
-    #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
     /// Arc sine.
-    #[must_use]
     fn asin(self) -> Self;
 
     /// Angle of the point (`x`, self).
-    #[must_use]
     fn atan2(self, x: Self) -> Self;
 
     /// sqrt(self² + other²); not that of the C library, whose last digit is another one on each
     /// platform.
-    #[must_use]
     fn hypotenuse(self, other: Self) -> Self;
 
     /// Magnitude.
-    #[must_use]
     fn abs(self) -> Self;
 
     /// 1 or -1, as the sign of the value.
-    #[must_use]
     fn signum(self) -> f64;
 
     /// The greater one; a number where one of them is none.
-    #[must_use]
     fn max(self, other: Self) -> Self;
 
     /// The lesser one; a number where one of them is none.
-    #[must_use]
     fn min(self, other: Self) -> Self;
 
     /// The greater one of it and a constant.
-    #[must_use]
     fn at_least(self, least: f64) -> Self;
 
     /// The lesser one of it and a constant.
-    #[must_use]
     fn at_most(self, most: f64) -> Self;
 
     /// Between two constants.
-    #[must_use]
     fn within(self, least: f64, most: f64) -> Self;
 
     /// Its magnitude with the sign of `sign`.
-    #[must_use]
     fn copysign(self, sign: f64) -> Self;
+}
+
+/// Methods that are functions of this name.
+macro_rules! forwarded {
+    ($($method:ident($($argument:ident: $kind:ty),*) -> $result:ty = $function:path;)*) => {$(
+        #[inline]
+        fn $method(self, $($argument: $kind),*) -> $result {
+            $function(self, $($argument),*)
+        }
+    )*};
 }
 
 impl Real for f64 {
@@ -265,93 +243,28 @@ impl Real for f64 {
         if IS_FUSED { a.mul_add(b, self) } else { self + a * b }
     }
 
-    #[inline]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline]
-    fn powi(self, power: i32) -> Self {
-        self.powi(power)
+    forwarded! {
+        sqrt() -> Self = f64::sqrt;
+        powi(power: i32) -> Self = f64::powi;
+        ln() -> Self = f64::ln;
+        normal_ln() -> Self = logarithm::ln;
+        exp() -> Self = f64::exp;
+        sin_cos() -> (Self, Self) = f64::sin_cos;
+        asin() -> Self = f64::asin;
+        atan2(x: Self) -> Self = f64::atan2;
+        hypotenuse(other: Self) -> Self = libm::hypot;
+        abs() -> Self = f64::abs;
+        signum() -> f64 = f64::signum;
+        max(other: Self) -> Self = f64::max;
+        min(other: Self) -> Self = f64::min;
+        at_least(least: f64) -> Self = f64::max;
+        at_most(most: f64) -> Self = f64::min;
+        within(least: f64, most: f64) -> Self = f64::clamp;
+        copysign(sign: f64) -> Self = f64::copysign;
     }
 
     #[inline]
     fn three_halves(self) -> Self {
         self * self.sqrt()
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.ln()
-    }
-
-    #[inline]
-    fn normal_ln(self) -> Self {
-        logarithm::ln(self)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        self.exp()
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
-    }
-
-    #[inline]
-    fn asin(self) -> Self {
-        self.asin()
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        self.atan2(x)
-    }
-
-    #[inline]
-    fn hypotenuse(self, other: Self) -> Self {
-        libm::hypot(self, other)
-    }
-
-    #[inline]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-
-    #[inline]
-    fn signum(self) -> f64 {
-        self.signum()
-    }
-
-    #[inline]
-    fn max(self, other: Self) -> Self {
-        self.max(other)
-    }
-
-    #[inline]
-    fn min(self, other: Self) -> Self {
-        self.min(other)
-    }
-
-    #[inline]
-    fn at_least(self, least: f64) -> Self {
-        self.max(least)
-    }
-
-    #[inline]
-    fn at_most(self, most: f64) -> Self {
-        self.min(most)
-    }
-
-    #[inline]
-    fn within(self, least: f64, most: f64) -> Self {
-        self.clamp(least, most)
-    }
-
-    #[inline]
-    fn copysign(self, sign: f64) -> Self {
-        self.copysign(sign)
     }
 }

@@ -92,7 +92,6 @@ const MAX_STEPS: usize = 260;
 /// interpolation through its values (x, f) at `last` and two points before; not finite where two
 /// values are equal but not zero.
 #[inline]
-#[must_use]
 pub fn interpolated_step([a, b]: [(f64, f64); 2], last: (f64, f64)) -> f64 {
     if last.1 == 0.0 {
         return 0.0;

@@ -4,9 +4,7 @@ use super::real::Real;
 
 /// x² (3 - 2 x), level at 0 and 1, between which x is.
 // Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
 #[inline(always)]
-#[must_use]
 pub fn smooth_step<T: Real>(x: T) -> T {
     x * x * (-(x * 2.0) + 3.0)
 }

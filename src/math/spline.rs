@@ -29,7 +29,6 @@ pub struct KnotValues {
 /// # Panics
 /// With fewer than two knots, with lengths that differ, or (debug builds) with knots that do not
 /// grow.
-#[must_use]
 pub fn interpolating_slopes(knots: &[f64], values: &[f64], ends: [SplineEnd; 2]) -> Vec<f64> {
     let mut slopes = Vec::new();
     put_interpolating_slopes(knots, values, ends, &mut Vec::new(), &mut slopes);
@@ -87,7 +86,6 @@ pub fn put_interpolating_slopes(
 /// ```text
 /// λ = (L / 2π)⁴        amplitude passed at wavenumber k: 1 / (1 + λ k⁴)
 /// ```
-#[must_use]
 pub fn penalty_of_wavelength(wavelength: f64) -> f64 {
     (wavelength / std::f64::consts::TAU).powi(4)
 }
@@ -105,7 +103,6 @@ pub fn penalty_of_wavelength(wavelength: f64) -> f64 {
 /// # Panics
 /// With fewer than two knots, with lengths that differ, or (debug builds) with knots that do not
 /// grow.
-#[must_use]
 pub fn smoothing_spline(knots: &[f64], values: &[f64], penalty: f64) -> KnotValues {
     debug_assert!(penalty >= 0.0);
     let n = knots.len();

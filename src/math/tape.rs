@@ -12,7 +12,6 @@
 //! The tape of a thread is empty but while an evaluation is recorded ([`Tape::record`]), which lends
 //! it the memory of its caller.
 
-mod arithmetic;
 mod taped;
 
 use std::cell::RefCell;
@@ -185,7 +184,6 @@ impl Tape {
     }
 
     /// The same by a leaf.
-    #[must_use]
     pub fn slope_of(&self, leaf: Leaf) -> f64 {
         self.slopes[leaf.0 as usize]
     }

@@ -25,7 +25,6 @@ static MADE: Mutex<Vec<Made>> = Mutex::new(Vec::new());
 
 impl<T: Send + Sync + 'static> UntilUnload<T> {
     /// Nothing yet.
-    #[must_use]
     #[allow(clippy::new_without_default, reason = "statics need a constant")]
     pub const fn new() -> Self {
         Self(OnceLock::new())

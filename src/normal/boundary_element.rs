@@ -11,7 +11,7 @@
 //! elements extrapolates to zero.
 
 use super::element_pressure::ElementPressure;
-use super::{NormalProblem, Strips, Zone};
+use super::{LoadedStrip, NormalProblem, Strips, Zone};
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::pressure::{PressureSolution, PressureSolver};
 use crate::geometry::contacts::separation::{Probe, Separation, SeparationPoint};
@@ -322,12 +322,9 @@ pub fn fill_rows(strips: &mut Strips, field: ElementPressure, u: &[f64]) -> usiz
             let (width, half_length) =
                 if width > 0.0 { (width, half_length) } else { (grid.dy, 0.5 * grid.dx) };
             strip_of_row[row] = Some(strips.y.len());
-            strips.y.push(grid.y(row));
-            strips.width.push(width);
-            strips.x.push(x);
-            strips.half_length.push(half_length);
-            strips.pressure.push(load / (std::f64::consts::FRAC_PI_2 * half_length * width));
-            strips.u.push(u[row]);
+            let pressure = load / (std::f64::consts::FRAC_PI_2 * half_length * width);
+            let (y, u) = (grid.y(row), u[row]);
+            strips.push(LoadedStrip { y, width, x, half_length, pressure, u });
             zone.max_pressure = line.iter().copied().fold(zone.max_pressure, f64::max);
             zone.length = zone.length.max(2.0 * half_length);
         }

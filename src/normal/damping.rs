@@ -25,7 +25,6 @@ pub const REFERENCE_PENETRATION: f64 = 1e-5;
 /// Normal force with damping [N] from the elastic load `load` ≥ 0 [N] at `penetration` > 0 [m], the
 /// approach velocity [m/s] (positive when approaching) and the coefficient c_ref ≥ 0 at the
 /// reference stiffness [N s/m].
-#[must_use]
 pub fn damped_load<T: Real>(load: T, penetration: T, closing_speed: T, coefficient: f64) -> T {
     // Backwards it may be the damping that counts.
     if (coefficient == 0.0 && !T::IS_BACKWARD) || load <= 0.0 {

@@ -31,7 +31,6 @@ const MOST_STEPS: usize = 8;
 
 impl Descent {
     /// A descent to the vertical force `wanted`, > 0 [N], at a new pose.
-    #[must_use]
     pub fn to(wanted: f64) -> Self {
         Self {
             down: [0.0, 1.0],
@@ -51,7 +50,6 @@ impl Descent {
     }
 
     /// Share of the way down by which the overlap at a place with so much unit `tangent` grows.
-    #[must_use]
     pub fn cosine(&self, tangent: [f64; 2]) -> f64 {
         tangent[0] * self.down[1] - tangent[1] * self.down[0]
     }

@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use super::{NormalProblem, Strips, Zone};
+use super::{LoadedStrip, NormalProblem, Strips, Zone};
 use crate::geometry::contacts::separation::FrameSeparation;
 use crate::leaves::CONTACT_MODULUS;
 use crate::math::elliptic::{Complete, complete};
@@ -31,7 +31,6 @@ pub struct Ellipse<T = f64> {
 
 /// The ellipse for the approach δ > 0 [m] of bodies with undeformed distance `along` x² + `across`
 /// y², both > 0 [1/m], and the contact modulus E* [Pa].
-#[must_use]
 pub fn ellipse<T: Real>(along: T, across: T, approach: T, contact_modulus: f64) -> Ellipse<T> {
     let (axis_ratio, integrals) = axis_ratio(along.max(across) / along.min(across));
     let Complete { first, second, .. } = integrals;
@@ -81,7 +80,6 @@ pub(super) fn axis_ratio<T: Real>(curvature_ratio: T) -> (T, Complete<T>) {
 
 /// Curvatures `along` and `across` of bodies that touch in the ellipse of ln(a/b) = `log_ratio` with
 /// a b = 1 m² at an approach of 1 m: [`ellipse`] the other way round [1/m].
-#[must_use]
 pub fn curvatures(log_ratio: f64) -> [f64; 2] {
     let log_kappa = log_ratio.abs();
     let integrals = complete((-2.0 * log_kappa).exp());
@@ -130,14 +128,15 @@ pub fn solve<T: Real>(
     let first = strips.y.len();
     for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
         let chord = (1.0 - node * node).sqrt();
-        strips.y.push(found.semi_axis_across * *node);
-        strips.width.push(found.semi_axis_across * *weight);
-        strips.x.push(at.x);
-        strips.half_length.push(found.semi_axis_along * chord);
-        strips.pressure.push(max_pressure * chord);
-        // The contact line straight on from its contact point: the ellipse does not know more of
-        // it.
-        strips.u.push(problem.contact_u + found.semi_axis_across * *node / at.dy);
+        strips.push(LoadedStrip {
+            y: found.semi_axis_across * *node,
+            width: found.semi_axis_across * *weight,
+            x: at.x,
+            half_length: found.semi_axis_along * chord,
+            pressure: max_pressure * chord,
+            // The contact line straight on from its contact point: the ellipse does not know more.
+            u: problem.contact_u + found.semi_axis_across * *node / at.dy,
+        });
     }
     strips.zones.push(Zone {
         first,

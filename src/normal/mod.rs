@@ -24,5 +24,5 @@ pub use element_pressure::ElementPressure;
 pub use problem::{NormalModel, NormalProblem};
 pub use shape_correction::ShapeFit;
 pub use solve::{solve, solve_in_frame};
-pub use strips::{Strips, Zone};
+pub use strips::{LoadedStrip, Strips, Zone};
 pub use zones::Edge;

@@ -158,7 +158,6 @@ pub fn solve<T: Influence>(
 ///
 /// The order of the sums is fixed by [`LANES`].
 // Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) -> [T; 2] {
     let scale = T::from(1.0) / (longest * longest);
@@ -196,7 +195,6 @@ fn influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) ->
 /// What the rule makes of ∫ ln((u - u_c)²) du over a zone, less the integral; nodes are no nearer
 /// to u_c than `least` [m].
 // As above.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn logarithm_error<T: Real>(
     rule: &GaussLegendre,

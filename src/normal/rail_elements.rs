@@ -88,7 +88,6 @@ const CLOSED: f64 = 1e-8;
 /// on a grid with room for a contact that is `room` elements wider on each side; nothing where the
 /// iteration did not converge or no place was found. `sized` makes of the length and width of
 /// elements that these would have those that they have.
-#[must_use]
 pub fn solve(
     line: &ContactLine,
     rail: &PlacedRail,
@@ -172,13 +171,11 @@ fn distances(opposite: &[Option<Opposite>], approach: f64) -> Vec<f64> {
 
 impl RailElements {
     /// Undeformed distance of the elements, from an approach of 0 on [m].
-    #[must_use]
     pub fn distances(&self) -> Vec<f64> {
         distances(&self.opposite, self.approach)
     }
 
     /// Greatest angle between the normals of rows that carry pressure [rad].
-    #[must_use]
     pub fn turn_of_normals(&self) -> f64 {
         let rows = self.rows.iter().zip(self.pressure.chunks(self.grid.along));
         let loaded = rows.filter(|(_, pressure)| pressure.iter().any(|&p| p > 0.0));

@@ -40,7 +40,6 @@ const RATIOS: [f64; 2] = [1e-3, 1e3];
 impl ShapeFit {
     /// Corrected ratio β of length to width from the `ratio` L/W > 0 of the interpenetration region
     /// [-].
-    #[must_use]
     pub fn corrected_ratio<T: Real>(self, ratio: T) -> T {
         let ratio = ratio.within(RATIOS[0], RATIOS[1]);
         let is_long = ratio >= 1.0;

@@ -1,6 +1,8 @@
 //! Strips along rolling with their pressure, in loaded zones: what normal models fill and
 //! tangential models see.
 
+use std::ops::Range;
+
 use super::element_pressure::ElementPressure;
 use crate::friction::StripFriction;
 use crate::math::fixed_vec::FixedVec;
@@ -37,6 +39,26 @@ pub struct Zone<T = f64> {
     pub u: T,
 }
 
+impl<T> Zone<T> {
+    /// The indices of its strips.
+    #[inline]
+    pub fn range(&self) -> Range<usize> {
+        self.first..self.first + self.count
+    }
+}
+
+/// What is in the columns of [`Strips`] for one of them.
+#[derive(Clone, Copy, Debug, Default)]
+#[allow(missing_docs)]
+pub struct LoadedStrip<T = f64> {
+    pub y: T,
+    pub width: T,
+    pub x: T,
+    pub half_length: T,
+    pub pressure: T,
+    pub u: T,
+}
+
 /// The loaded zones of one contact frame and their strips, as columns of equal length.
 ///
 /// Strip j carries p(x, y_j) = pressure_j sqrt(1 - ((x - x_j)/half_length_j)²).
@@ -65,7 +87,6 @@ pub struct Strips<T = f64> {
 
 impl<T: Real> Strips<T> {
     /// Room for `zones` zones of `strips` strips together; nothing is allocated later.
-    #[must_use]
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
         let column = || FixedVec::new(strips);
         Self {
@@ -82,7 +103,6 @@ impl<T: Real> Strips<T> {
     }
 
     /// The same in other numbers; without the elements.
-    #[must_use]
     pub fn in_other_numbers<O: Real>(&self) -> Strips<O>
     where
         T: Into<O>,
@@ -143,24 +163,51 @@ impl<T: Real> Strips<T> {
         }
     }
 
+    /// Adds a strip.
+    #[inline]
+    pub fn push(&mut self, strip: LoadedStrip<T>) {
+        self.y.push(strip.y);
+        self.width.push(strip.width);
+        self.x.push(strip.x);
+        self.half_length.push(strip.half_length);
+        self.pressure.push(strip.pressure);
+        self.u.push(strip.u);
+    }
+
+    /// Strip `j`.
+    #[inline]
+    pub fn strip(&self, j: usize) -> LoadedStrip<T> {
+        LoadedStrip {
+            y: self.y[j],
+            width: self.width[j],
+            x: self.x[j],
+            half_length: self.half_length[j],
+            pressure: self.pressure[j],
+            u: self.u[j],
+        }
+    }
+
+    /// Load of strip `j` over π/2 [N].
+    #[inline]
+    pub fn weight(&self, j: usize) -> T {
+        self.half_length[j] * self.width[j] * self.pressure[j]
+    }
+
     /// Whether another zone of `strips` strips fits.
-    #[must_use]
     pub fn has_room_for(&self, strips: usize) -> bool {
         self.zones.len() < self.zones.capacity() && self.y.len() + strips <= self.y.capacity()
     }
 
     /// Normal force of all zones, without damping [N].
-    #[must_use]
     pub fn load(&self) -> T {
         self.zones.iter().map(|zone| zone.load).sum()
     }
 
     /// Fills load, area and centroid of `zone` from its strips.
     pub(crate) fn summarise(&self, zone: &mut Zone<T>) {
-        let strips = zone.first..zone.first + zone.count;
         let (mut load, mut area) = (T::from(0.0), T::from(0.0));
         let (mut x, mut y, mut u) = (T::from(0.0), T::from(0.0), T::from(0.0));
-        for j in strips {
+        for j in zone.range() {
             let strip_area = self.half_length[j] * self.width[j];
             let strip_load = strip_area * self.pressure[j];
             area += strip_area;

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 use super::piotrowski_kik::{MIN_DISTANCE, logarithm_error};
 use super::zones::for_each_zone;
-use super::{NormalProblem, Strips, Zone};
+use super::{LoadedStrip, NormalProblem, Strips, Zone};
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::separation::{Probe, Separation};
 use crate::geometry::contacts::waves_along::WavesAlong;
@@ -71,7 +71,6 @@ struct Stretches {
 
 impl UnevenStrips {
     /// Room for zones of `strips` strips.
-    #[must_use]
     pub fn new(strips: usize) -> Self {
         let rule = GaussLegendre::new(POINTS);
         let mut quarter = [[0.0; 2]; POINTS];
@@ -288,12 +287,9 @@ impl Stretches {
             let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
             for s in members() {
                 let half_length = 0.5 * (s.ends[1] - s.ends[0]);
-                strips.y.push(s.y);
-                strips.width.push(s.width);
-                strips.x.push(0.5 * (s.ends[0] + s.ends[1]));
-                strips.half_length.push(half_length);
-                strips.pressure.push(s.load / (0.5 * PI * half_length));
-                strips.u.push(s.u);
+                let pressure = s.load / (0.5 * PI * half_length);
+                let (x, width) = (0.5 * (s.ends[0] + s.ends[1]), s.width);
+                strips.push(LoadedStrip { y: s.y, width, x, half_length, pressure, u: s.u });
                 zone.length = zone.length.max(2.0 * half_length);
                 zone.max_pressure = zone.max_pressure.max(s.peak);
                 left = left.min(if s.strip == 0 { ends[0] } else { s.y - 0.5 * s.width });

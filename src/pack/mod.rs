@@ -98,7 +98,6 @@ impl Pack {
     }
 
     /// Whose variables it has.
-    #[must_use]
     pub fn unit(&self) -> &'static Unit {
         self.source.unit
     }

@@ -15,6 +15,8 @@ pub use case::{Indentation, PlanarCase};
 pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
 pub use transient::{History, StepMotion, TransientContact, TransientField, TransientResult};
 
+use std::ops::Range;
+
 pub use crate::friction::StripFriction;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
@@ -249,7 +251,7 @@ fn without_creep_forces(strips: &Strips) -> PlanarResult {
         result.max_pressure = result.max_pressure.max(zone.max_pressure);
         result.area += zone.area;
         result.length = result.length.max(zone.length);
-        let edges = zone_edges(strips, zone.first, zone.count);
+        let edges = zone_edges(strips, zone.range());
         left = left.min(edges[0]);
         right = right.max(edges[1]);
     }
@@ -283,10 +285,9 @@ fn rolling_state(case: &PlanarCase, y: f64) -> RollingState {
 }
 
 /// Left and right edge of a zone from its strips: Gauss-Legendre weights sum to its width.
-fn zone_edges(strips: &Strips, first: usize, count: usize) -> [f64; 2] {
-    let range = first..first + count;
-    let width: f64 = strips.width[range.clone()].iter().sum();
-    let (a, b) = (strips.y[first], strips.y[first + count - 1]);
+fn zone_edges(strips: &Strips, range: Range<usize>) -> [f64; 2] {
+    let (a, b) = (strips.y[range.start], strips.y[range.end - 1]);
+    let width: f64 = strips.width[range].iter().sum();
     let middle = 0.5 * (a + b);
     [middle - 0.5 * width, middle + 0.5 * width]
 }

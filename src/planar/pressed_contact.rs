@@ -58,7 +58,6 @@ impl PressedContact {
     /// Creep force over normal force for a `creepage` (longitudinal, lateral [-], spin [1/m]) at a
     /// rolling `speed` [m/s], and its derivatives by `friction` and the parameters of `law`, in the
     /// order of [`LAW_PARAMETERS`].
-    #[must_use]
     pub fn adhesion(
         &self,
         creepage: [f64; 3],

@@ -93,7 +93,6 @@ pub fn state_under(corners: &[Corners], point: [f64; 3], nu: f64, blunt: f64) ->
 }
 
 /// The components that one corner contributes, times 2π, the displacements times 4πG.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn corner([x, y, z]: [f64; 3], nu: f64, blunt: f64, [qx, qy, p]: [f64; 3]) -> [f64; COMPONENTS] {
     let (xx, yy, zz) = (x * x, y * y, z * z);
@@ -141,7 +140,6 @@ fn corner([x, y, z]: [f64; 3], nu: f64, blunt: f64, [qx, qy, p]: [f64; 3]) -> [f
 }
 
 /// r + x without cancellation; `others` is r² - x².
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn sum(x: f64, r: f64, others: f64) -> f64 {
     let larger = r + x.abs();

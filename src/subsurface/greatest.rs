@@ -29,7 +29,6 @@ impl SurfaceLoad {
     /// depths that grow by a factor, then from the best place at each depth in steps that are halved.
     /// Between there and the surface tractions that jump between elements would be seen: it is looked
     /// for below the centres of elements.
-    #[must_use]
     pub fn greatest(&self, measure: Measure) -> Option<Greatest> {
         let parts = self.parts.iter().filter(|part| !part.loaded.is_empty());
         let best = parts.flat_map(|part| {

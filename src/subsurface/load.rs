@@ -54,7 +54,6 @@ const SURFACE: f64 = 1e-9;
 
 impl SurfaceLoad {
     /// The load of `fields` on `body`, which is of `material`.
-    #[must_use]
     pub fn of_fields(fields: &[ContactField], body: Body, material: Material) -> Self {
         // The fields have the tractions on the wheel.
         let sign = match body {
@@ -103,7 +102,6 @@ impl SurfaceLoad {
     }
 
     /// No load on a body of `material`; the edges of the elements that are added are sharp.
-    #[must_use]
     pub fn none(material: Material) -> Self {
         let (corners, parts) = (Vec::new(), Vec::new());
         let surface = f64::INFINITY;
@@ -152,13 +150,11 @@ impl SurfaceLoad {
     }
 
     /// The material of the body.
-    #[must_use]
     pub fn material(&self) -> Material {
         self.material
     }
 
     /// Greatest pressure of an element [Pa].
-    #[must_use]
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure
     }
@@ -170,7 +166,6 @@ impl SurfaceLoad {
     }
 
     /// Least and greatest x and y of the loaded elements; none without load [m].
-    #[must_use]
     pub fn extent(&self) -> Option<[[f64; 2]; 2]> {
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         for Part { grid, loaded } in &self.parts {

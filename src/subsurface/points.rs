@@ -1,7 +1,6 @@
 //! Points at which stresses are asked for.
 
 /// `count` numbers from `from` to `to`, both of them among these; `from` alone for one.
-#[must_use]
 pub fn evenly(from: f64, to: f64, count: usize) -> Vec<f64> {
     let step = (to - from) / count.saturating_sub(1).max(1) as f64;
     (0..count).map(|k| from + k as f64 * step).collect()
@@ -9,7 +8,6 @@ pub fn evenly(from: f64, to: f64, count: usize) -> Vec<f64> {
 
 /// All points (x, y, depth) of a lattice, x the outermost and the depth the innermost: a plane for
 /// one x or one y, a vertical line for one of both [m].
-#[must_use]
 pub fn lattice(x: &[f64], y: &[f64], depth: &[f64]) -> Vec<[f64; 3]> {
     let mut points = Vec::with_capacity(x.len() * y.len() * depth.len());
     for &x in x {

@@ -27,13 +27,11 @@ impl From<[f64; 6]> for Stress {
 
 impl Stress {
     /// xx, yy, zz, xy, yz, xz [Pa].
-    #[must_use]
     pub fn components(&self) -> [f64; 6] {
         [self.xx, self.yy, self.zz, self.xy, self.yz, self.xz]
     }
 
     /// Mean of the normal stresses, negative in compression [Pa].
-    #[must_use]
     pub fn hydrostatic(&self) -> f64 {
         (self.xx + self.yy + self.zz) / 3.0
     }
@@ -57,14 +55,12 @@ impl Stress {
 
     /// Equivalent stress of von Mises, √(3 J₂), ≥ 0: that of a rod in tension; √3 times the shear
     /// stress in pure shear [Pa].
-    #[must_use]
     pub fn von_mises(&self) -> f64 {
         (3.0 * self.second_invariant()).sqrt()
     }
 
     /// Equivalent stress of Tresca, ≥ 0: the greatest less the least principal stress, twice the
     /// greatest shear stress [Pa].
-    #[must_use]
     pub fn tresca(&self) -> f64 {
         // Principal stresses of the deviator: 2 √(J₂/3) cos(θ - 2πk/3), cos 3θ = √27 J₃/(2 J₂^1.5).
         let (second, third) = (self.second_invariant(), self.third_invariant());
@@ -78,7 +74,6 @@ impl Stress {
 
     /// Greatest shear stress on the plane parallel to the surface, √(τ_xz² + τ_yz²), ≥ 0: in rolling
     /// it turns its sign from one side of the patch to the other [Pa].
-    #[must_use]
     pub fn orthogonal_shear(&self) -> f64 {
         (self.xz * self.xz + self.yz * self.yz).sqrt()
     }
@@ -114,7 +109,6 @@ impl Measure {
         [Self::VonMises, Self::Tresca, Self::Hydrostatic, Self::OrthogonalShear];
 
     /// Its value [Pa].
-    #[must_use]
     pub fn of(self, stress: &Stress) -> f64 {
         match self {
             Self::VonMises => stress.von_mises(),
@@ -125,7 +119,6 @@ impl Measure {
     }
 
     /// Its name in tables and in Python.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::VonMises => "von_mises",

@@ -37,7 +37,6 @@ struct Row {
 
 impl LoadedElements {
     /// Those of the normal model, or the pressure of `zone` on `elements` along and across it.
-    #[must_use]
     pub fn of(zone: &Zone, strips: &Strips, elements: [usize; 2]) -> Self {
         let Some(field) = &strips.elements else {
             return Self::spread(zone, strips, elements);
@@ -51,7 +50,7 @@ impl LoadedElements {
     }
 
     fn spread(zone: &Zone, strips: &Strips, elements: [usize; 2]) -> Self {
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let mut x = [f64::INFINITY, f64::NEG_INFINITY];
         for j in range.clone() {
             x[0] = x[0].min(strips.x[j] - strips.half_length[j]);
@@ -116,7 +115,6 @@ impl LoadedElements {
     }
 
     /// Tractions of all elements for the slip and the friction of `loaded`.
-    #[must_use]
     pub fn tractions(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
@@ -147,7 +145,7 @@ impl LoadedElements {
 
     /// The rows on `zone`, each with the strip nearest to it.
     pub fn rows_of(&self, zone: &Zone) -> impl Iterator<Item = (usize, usize)> {
-        let own = zone.first..zone.first + zone.count;
+        let own = zone.range();
         let rows = self.rows.iter().enumerate();
         let nearest = rows.filter_map(|(j, row)| Some((j, row.as_ref()?.nearest())));
         nearest.filter(move |(_, strip)| own.contains(strip))
@@ -164,7 +162,7 @@ impl LoadedElements {
     ) {
         let grid = &self.grid;
         let area = grid.element_area();
-        let own = zone.first..zone.first + zone.count;
+        let own = zone.range();
         for (j, row) in self.rows.iter().enumerate() {
             let Some(row) = row else { continue };
             for (strip, share) in row.strips.into_iter().zip([1.0 - row.share, row.share]) {
@@ -188,7 +186,6 @@ impl LoadedElements {
 }
 
 /// Tractions of the elements of `grid` that roll either way; see [`steady_rolling`].
-#[must_use]
 pub fn rolling_tractions(
     grid: &Grid,
     material: &MaterialPair,
@@ -206,7 +203,6 @@ pub fn rolling_tractions(
 }
 
 /// Pressure and tractions of bodies of unlike materials that roll either way.
-#[must_use]
 pub fn rolling_unlike(problem: &UnlikeProblem<'_>, rolling: Rolling) -> UnlikeSolution {
     match rolling {
         Rolling::Forward => steady_rolling_unlike(problem),

@@ -13,13 +13,11 @@ pub struct Convergence {
 
 impl Convergence {
     /// That of a model which did not converge and has no tractions.
-    #[must_use]
     pub fn failed() -> Self {
         Self { fallbacks: 1, residual: 0.0 }
     }
 
     /// That of a model which converged to `residual`.
-    #[must_use]
     pub fn to(residual: f64) -> Self {
         Self { fallbacks: 0, residual }
     }

@@ -17,14 +17,12 @@ pub trait CreepNumber:
     fastsim::Marching + fastrip::Marching + MarchNumber + tables::tabulated::Tabulated
 {
     /// The elements of a zone for the half-space solution.
-    #[must_use]
     fn elements(_: &Zone<Self>, _: &Strips<Self>, _: [usize; 2]) -> Option<LoadedElements> {
         None
     }
 
     /// Solves on the elements and hands the force of each strip to `each`; false where no solution
     /// was found.
-    #[must_use]
     fn on_elements(
         _: &LoadedElements,
         _: &LoadedZone<'_, impl RigidSlip<Self>, Self>,

@@ -33,12 +33,11 @@ pub struct LoadedPart<T = f64> {
 
 impl<T: Real> LoadedPart<T> {
     /// The whole of `zone`, which carries load, with the creepage `creepage` at its centroid.
-    #[must_use]
     pub fn whole(zone: &Zone<T>, strips: &Strips<T>, creepage: Creepage<T>) -> Self {
         let [mut load, mut along, mut across, mut within] = [T::from(0.0); 4];
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let (half_length, width) = (strips.half_length[j], strips.width[j]);
-            let weight = half_length * width * strips.pressure[j];
+            let weight = strips.weight(j);
             let arm = strips.y[j] - zone.y;
             load += weight;
             along += weight * half_length * half_length;
@@ -52,7 +51,6 @@ impl<T: Real> LoadedPart<T> {
 
     /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no
     /// load.
-    #[must_use]
     pub fn of(
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
         member: impl Fn(T) -> T,
@@ -61,10 +59,9 @@ impl<T: Real> LoadedPart<T> {
         let [mut total, mut load, mut along, mut within, mut y] = [T::from(0.0); 5];
         let mut excess = T::from(0.0);
         let mut creepage = Creepage::<T>::default();
-        let range = zone.first..zone.first + zone.count;
-        let weight_of = |j: usize| strips.half_length[j] * strips.width[j] * strips.pressure[j];
+        let range = zone.range();
         for j in range.clone() {
-            let whole = weight_of(j);
+            let whole = strips.weight(j);
             let weight = whole * member(strips.y[j]);
             total += whole;
             load += weight;
@@ -84,7 +81,7 @@ impl<T: Real> LoadedPart<T> {
         }
         let y = y / load;
         let across: T =
-            range.map(|j| weight_of(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
+            range.map(|j| strips.weight(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
         Some(Self {
             share: load / total,
             ellipse: EquivalentEllipse::of_load(along / load, across / load, within / load),
@@ -119,7 +116,6 @@ pub struct RollingEllipse<'a, T = f64> {
 impl<T: Tabulated> RollingEllipse<'_, T> {
     /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a
     /// share slips [m²].
-    #[must_use]
     pub fn tabulated_force(&self, table: &impl ForceTable, area: T) -> CreepForce<T> {
         let &Self { ellipse, material, creepage, rolling, limit } = self;
         // Backwards the ellipse is the same seen in a mirror along x.
@@ -146,7 +142,6 @@ impl<T: Tabulated> EquivalentEllipse<T> {
     /// Longitudinal and lateral force and moment about the centre from `table` on the body that
     /// creeps, rolling forward under a friction `limit` > 0 [N], with the shear modulus of the bodies
     /// [Pa]; forces in N and N m.
-    #[must_use]
     pub fn tabulated(
         &self,
         table: &impl ForceTable,

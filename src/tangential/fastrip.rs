@@ -77,7 +77,6 @@ fn ellipse_integral<T: Real>(t: T) -> T {
 
 impl Fastrip {
     /// `elements` ≥ 1 along each strip.
-    #[must_use]
     pub fn new(elements: usize) -> Self {
         let n = elements as f64;
         let edge = |i: usize| (1.0 - 2.0 * i as f64 / n).max(-1.0);
@@ -106,7 +105,7 @@ impl<T: Marching> Rule<T> for Fastrip {
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let &LoadedZone { zone, strips, material, slip, .. } = loaded;
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let step = 2.0 / self.elements.len() as f64;
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
@@ -296,7 +295,6 @@ fn fast_march(
 /// of FASTSIM, and those of FaStrip less the closed form of [`StripTheory::adhesion`]: where the
 /// strip slips, and what is cut off where it adheres.
 // Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn march_strips<T: Real>(
     input: &LaneInput<T>,

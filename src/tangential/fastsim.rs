@@ -64,7 +64,6 @@ pub struct Fastsim {
 
 impl Fastsim {
     /// `elements` ≥ 1 along each strip.
-    #[must_use]
     pub fn new(elements: usize, bound: TractionBound) -> Self {
         let n = elements as f64;
         // Antiderivative of sqrt(1 - t²) or of 1 - t².
@@ -93,7 +92,7 @@ impl Fastsim {
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let &LoadedZone { zone, strips, slip, .. } = loaded;
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let n = self.profile.len() as f64;
         let parabola = match self.bound {
             TractionBound::Elliptic => T::from(0.0),
@@ -157,7 +156,6 @@ impl<T: Marching> Rule<T> for Fastsim {
 impl Fastsim {
     /// Traction on the wheel of each element of strip `j` of a zone that rolls forward, leading
     /// edge first, and whether it slips; as in [`strip_forces`](Self::strip_forces).
-    #[must_use]
     pub fn tractions(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
@@ -190,7 +188,7 @@ impl Fastsim {
         match self.bound {
             TractionBound::Elliptic => strips.pressure[j],
             TractionBound::Parabolic => {
-                let range = zone.first..zone.first + zone.count;
+                let range = zone.range();
                 let moment: f64 =
                     range.map(|j| strips.width[j] * strips.half_length[j].powi(3)).sum();
                 let square = strips.half_length[j].powi(2);

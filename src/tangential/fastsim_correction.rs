@@ -13,7 +13,7 @@ use super::rigid_slip::{Growth, RigidSlip};
 use super::{CreepForce, Creepage, Flexibilities, LoadedZone};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::normal::{Strips, Zone};
+use crate::normal::{LoadedStrip, Strips, Zone};
 
 /// Strips of the ellipse: as many as are marched at once.
 const STRIPS: usize = 32;
@@ -32,12 +32,8 @@ impl Default for EllipseStrips {
         let mut load = 0.0;
         for (y, width) in rule.nodes.iter().zip(&rule.weights) {
             let half_length = (1.0 - y * y).sqrt();
-            strips.y.push(*y);
-            strips.u.push(*y);
-            strips.x.push(0.0);
-            strips.width.push(*width);
-            strips.half_length.push(half_length);
-            strips.pressure.push(half_length);
+            let (y, width, pressure) = (*y, *width, half_length);
+            strips.push(LoadedStrip { y, width, x: 0.0, half_length, pressure, u: y });
             load += std::f64::consts::FRAC_PI_2 * width * half_length * half_length;
         }
         Self { strips, zone: Zone { count: STRIPS, load, ..Zone::default() } }
@@ -76,7 +72,6 @@ impl<T: Real> RigidSlip<T> for StretchedSlip<'_, T> {
 
 impl EllipseStrips {
     /// The force of FASTSIM on the ellipse `rolling`, moment about its centre.
-    #[must_use]
     pub fn force<T: Marching>(
         &self,
         fastsim: &Fastsim,

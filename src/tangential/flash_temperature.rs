@@ -54,23 +54,21 @@ impl Default for FlashTemperature {
 
 impl FlashTemperature {
     /// Whether friction depends on temperature.
-    #[must_use]
     pub fn is_on(&self) -> bool {
         self.share < 1.0
     }
 
     /// Mean rise of temperature over the pressure of `zone` in `state`, for a coefficient of
     /// friction of one [K].
-    #[must_use]
     pub fn rise<T: Real>(&self, zone: &Zone<T>, strips: &Strips<T>, state: &RollingState<T>) -> T {
         let speed = slip_velocity(zone, state);
         if speed <= 0.0 || zone.load <= 0.0 {
             return T::from(0.0);
         }
         let (mut load, mut sum) = (T::from(0.0), T::from(0.0));
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let (pressure, half_length) = (strips.pressure[j], strips.half_length[j]);
-            let weight = half_length * strips.width[j] * pressure;
+            let weight = strips.weight(j);
             load += weight;
             sum += weight * pressure * half_length.sqrt();
         }
@@ -80,7 +78,6 @@ impl FlashTemperature {
 
     /// Friction over that of a cold patch, h, for a cold coefficient of `friction` and the `rise`
     /// of one [-].
-    #[must_use]
     pub fn factor<T: Real>(&self, friction: T, rise: T) -> T {
         let slope = (1.0 - self.share) / self.range;
         let linear = T::from(1.0 + slope * self.onset) / (friction * rise * slope + 1.0);
@@ -91,6 +88,7 @@ impl FlashTemperature {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::normal::LoadedStrip;
     use crate::tangential::Creepage;
     use approx::assert_relative_eq;
 
@@ -105,13 +103,8 @@ mod tests {
     /// One strip of 1 GPa and 5 mm half length that slides by a tenth at 20 m/s.
     fn strip() -> (Zone, Strips, RollingState) {
         let mut strips = Strips::with_capacity(1, 1);
-        for (column, value) in [
-            (&mut strips.width, 1e-3),
-            (&mut strips.half_length, 5e-3),
-            (&mut strips.pressure, 1e9),
-        ] {
-            column.push(value);
-        }
+        let (width, half_length, pressure) = (1e-3, 5e-3, 1e9);
+        strips.push(LoadedStrip { width, half_length, pressure, ..LoadedStrip::default() });
         let state = RollingState {
             creepage: Creepage { longitudinal: 0.1, lateral: 0.0, spin: 0.0 },
             forward_share: 1.0,

@@ -40,7 +40,6 @@ pub struct ZoneFlexibility<T = f64> {
 impl<T: Real> ZoneFlexibility<T> {
     /// The three flexibilities of `zone`, each strip of which counts as far as `member(y)`, 0 to 1;
     /// nothing where that has no area.
-    #[must_use]
     pub fn new(
         zone: &Zone<T>,
         strips: &Strips<T>,
@@ -61,7 +60,6 @@ impl<T: Real> ZoneFlexibility<T> {
     }
 
     /// Kalker's three flexibilities of an ellipse with semi-axes `along` and `across` > 0 [m].
-    #[must_use]
     pub fn of_ellipse(along: T, across: T, material: &MaterialPair<T>) -> Self {
         let c = kalker_coefficients(along / across, material.poisson_ratio);
         let scale = material.shear_modulus * along * across;
@@ -79,7 +77,6 @@ impl<T: Real> ZoneFlexibility<T> {
     ///
     /// Source: Vollebregt and Voltr, Vehicle System Dynamics 61 (2023) 309-317. `friction_limit` is
     /// μ N > 0 [N].
-    #[must_use]
     pub fn blended(&self, creepage: &Creepage<T>, friction_limit: T) -> Self {
         let a = self.semi_axis_along;
         let spin = creepage.spin * (a * PI * a / 4.0) / (a * 8.0 / 3.0);

@@ -22,7 +22,6 @@ pub struct StripForce<T = f64> {
 impl<T: Real> StripForce<T> {
     /// Power that friction turns into heat in a strip with the `creepage` at its centre, over the
     /// speed that creepages refer to [J/m].
-    #[must_use]
     pub fn dissipation(&self, creepage: &Creepage<T>) -> T {
         -(self.longitudinal * creepage.longitudinal
             + self.lateral * creepage.lateral
@@ -94,10 +93,8 @@ impl<T: Real> CreepForce<T> {
         member: impl Fn(T) -> T,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
-        let range = zone.first..zone.first + zone.count;
-        let load = |j: usize| {
-            strips.half_length[j] * strips.width[j] * strips.pressure[j] * member(strips.y[j])
-        };
+        let range = zone.range();
+        let load = |j: usize| strips.weight(j) * member(strips.y[j]);
         let total: T = range.clone().map(load).sum();
         let whole = StripForce {
             longitudinal: self.longitudinal,

@@ -113,13 +113,11 @@ impl<P: Real> FrictionLaw<P> {
     }
 
     /// Whether friction is anything but one coefficient on clean bodies.
-    #[must_use]
     pub fn is_on(&self) -> bool {
         self.falls() || self.reduces()
     }
 
     /// Friction of `zone` in `state` over that without sliding [-].
-    #[must_use]
     pub fn factor<T: Real>(&self, zone: &Zone<T>, state: &RollingState<T>) -> T
     where
         P: Into<T>,
@@ -139,7 +137,6 @@ impl<P: Real> FrictionLaw<P> {
 
     /// Shear modulus over that of clean bodies for `zone` in `state`, whose friction is that of its
     /// slip [-].
-    #[must_use]
     pub fn reduced<T: Real>(
         &self,
         zone: &Zone<T>,

@@ -35,7 +35,7 @@ impl<T: Real> Rule<T> for Linear {
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let &LoadedZone { zone, strips, slip, .. } = loaded;
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let a = strips.half_length[j];
             let growth = slip.growth(j, three);
             let square = strips.width[j] * 2.0 * a * a;

@@ -28,7 +28,6 @@ pub enum TangentialModel {
 impl TangentialModel {
     /// Whether tractions are known that belong to its creep force, if it has one: those of its own, or
     /// of FASTSIM.
-    #[must_use]
     pub fn has_tractions(self) -> bool {
         !matches!(self, Self::Linear | Self::Fastrip)
     }

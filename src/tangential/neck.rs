@@ -82,7 +82,6 @@ pub struct Lobes<T = f64> {
 
 impl<T: Real> Lobes<T> {
     /// Those of a zone, if it has a neck.
-    #[must_use]
     pub fn of(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>) -> Option<Self> {
         let neck = Neck::of(loaded.zone, loaded.strips)?;
         let parts =
@@ -93,9 +92,8 @@ impl<T: Real> Lobes<T> {
 
 impl<T: Real> Neck<T> {
     /// The neck of `zone`, if it has one.
-    #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
-        let range = zone.first..zone.first + zone.count;
+        let range = zone.range();
         let [ys, lengths, pressures] =
             [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
         // Stretches of one strip, as uneven bodies have them, count together.
@@ -147,7 +145,6 @@ impl<T: Real> Neck<T> {
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.
-    #[must_use]
     pub fn member(&self, side: Side, y: T) -> T {
         match side {
             Side::Left => self.left(y),
@@ -156,7 +153,6 @@ impl<T: Real> Neck<T> {
     }
 
     /// Share of a strip at `y` that belongs to the left lobe, 0 to 1.
-    #[must_use]
     pub fn left(&self, y: T) -> T {
         // Half of the one strip that a neck without width lies on belongs to either side. What that
         // neck moves by is what its strip does, which backwards would be a difference of infinities.
@@ -194,16 +190,15 @@ fn for_each_depth<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::normal::LoadedStrip;
     use approx::assert_abs_diff_eq;
 
     /// Strips of equal width with these loads per width.
     fn strips(loads: &[f64]) -> (Zone, Strips) {
         let mut strips = Strips::with_capacity(1, loads.len());
         for (j, q) in loads.iter().enumerate() {
-            strips.y.push(1e-3 * j as f64);
-            strips.width.push(1e-3);
-            strips.half_length.push(1e-3);
-            strips.pressure.push(1e3 * q);
+            let (y, width, half_length, pressure) = (1e-3 * j as f64, 1e-3, 1e-3, 1e3 * q);
+            strips.push(LoadedStrip { y, width, half_length, pressure, ..<_>::default() });
         }
         let count = loads.len();
         (Zone { count, width: 1e-3 * count as f64, ..Zone::default() }, strips)

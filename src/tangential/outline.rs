@@ -43,7 +43,6 @@ impl<T: Real> EquivalentEllipse<T> {
     }
 
     /// c = sqrt(a b) [m].
-    #[must_use]
     pub fn mean_radius(&self) -> T {
         (self.along * self.across).sqrt()
     }
@@ -63,11 +62,10 @@ pub struct Outline<T = f64> {
 impl<T: Real> Outline<T> {
     /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no
     /// area.
-    #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
         let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];
         let [mut first, mut across, mut within] = [T::from(0.0); 3];
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let (half_length, width) = (strips.half_length[j], strips.width[j]);
             let weight = half_length * width * member(strips.y[j]);
             let y = strips.y[j] - zone.y;

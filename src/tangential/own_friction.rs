@@ -11,14 +11,11 @@ pub fn mean<T: Real>(
     strips: &Strips<T>,
     of: impl Fn(&StripFriction<T>) -> T,
 ) -> Option<T> {
-    let range = zone.first..zone.first + zone.count;
-    let own = strips.friction.get(range.clone())?;
+    let own = strips.friction.get(zone.range())?;
     let first = of(own.first()?);
     let (mut load, mut excess) = (T::from(0.0), T::from(0.0));
-    let columns = [&strips.half_length, &strips.width, &strips.pressure].map(|c| &c[range.clone()]);
-    for (((own, a), width), pressure) in own.iter().zip(columns[0]).zip(columns[1]).zip(columns[2])
-    {
-        let weight = *a * *width * *pressure;
+    for (own, j) in own.iter().zip(zone.range()) {
+        let weight = strips.weight(j);
         load += weight;
         excess += weight * (of(own) - first);
     }
@@ -36,14 +33,12 @@ pub struct OwnFriction<'a, T = f64> {
 
 impl<T: Real> OwnFriction<'_, T> {
     /// Strips that have none.
-    #[must_use]
     pub fn none() -> Self {
         Self { strips: &[], factors: [T::from(1.0); 2] }
     }
 
     /// Coefficient of strip `j`, if it has one of its own [-].
     #[inline]
-    #[must_use]
     pub fn coefficient(&self, j: usize) -> Option<T> {
         self.strips.get(j).map(|own| own.under(&self.factors))
     }
@@ -52,14 +47,15 @@ impl<T: Real> OwnFriction<'_, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::normal::LoadedStrip;
     use approx::assert_relative_eq;
 
     fn strips(friction: &[StripFriction]) -> (Zone, Strips) {
         let mut strips = Strips::with_capacity(1, friction.len());
         for (j, own) in friction.iter().enumerate() {
-            strips.width.push(1e-3);
-            strips.half_length.push(1e-3 * (1.0 + j as f64));
-            strips.pressure.push(1e9);
+            let half_length = 1e-3 * (1.0 + j as f64);
+            let strip = LoadedStrip { width: 1e-3, half_length, pressure: 1e9, ..<_>::default() };
+            strips.push(strip);
             strips.friction.push(*own);
         }
         (Zone { count: friction.len(), ..Zone::default() }, strips)

@@ -25,7 +25,6 @@ impl<T: Real> Growth<T> {
     /// Of a strip with the creepage `own` at its centre in a zone with the mean creepage `mean`:
     /// what it deviates by acts through L3, as spin does.
     #[inline]
-    #[must_use]
     pub fn of_strip(
         own: &Creepage<T>,
         mean: &Creepage<T>,

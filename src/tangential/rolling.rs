@@ -42,7 +42,6 @@ pub struct RollingState<T = f64> {
 
 impl<T: Real> RollingState<T> {
     /// Friction limit μ N of `zone`, ≥ 0 [N].
-    #[must_use]
     pub fn friction_limit(&self, zone: &Zone<T>) -> T {
         self.friction * zone.load * self.load_factor
     }

@@ -63,7 +63,6 @@ fn one_by_one<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
 impl Tangential {
     /// A model with `elements_along` ≥ 1 elements along each strip, or boundary elements on a grid
     /// of `elements` along and across a zone whose pressure is not yet on one.
-    #[must_use]
     pub fn new(
         model: TangentialModel,
         flexibilities: Flexibilities,
@@ -124,7 +123,6 @@ impl Tangential {
     }
 
     /// Which model it is.
-    #[must_use]
     pub fn model(&self) -> TangentialModel {
         match &self.model {
             Model::None => TangentialModel::None,
@@ -139,13 +137,11 @@ impl Tangential {
     }
 
     /// Whether the forces of the strips are corrected as a whole.
-    #[must_use]
     pub fn is_corrected(&self) -> bool {
         matches!(self.model, Model::FastsimCorrected(_) | Model::Marches(_))
     }
 
     /// `zone` of `strips` in `state` under the laws of friction.
-    #[must_use]
     pub fn under_law<T: Real>(
         &self,
         zone: &Zone<T>,
@@ -163,7 +159,6 @@ impl Tangential {
 
     /// The creep force on the wheel of a zone by itself with one creepage at its centroid of load;
     /// nothing where there is nothing to compute: no model, no friction, no load or no creepage.
-    #[must_use]
     pub fn creep_force<T: CreepNumber>(
         &self,
         zone: &Zone<T>,
@@ -184,7 +179,6 @@ impl Tangential {
 
     /// Whether there can be tractions in a zone under `law`: with a model, load, and friction that
     /// bounds them.
-    #[must_use]
     pub fn acts_on<T: Real>(&self, zone: &Zone<T>, law: &UnderLaw<T>) -> bool {
         self.acts(zone.load * law.state.load_factor, law.state.friction_limit(zone))
     }
@@ -226,7 +220,6 @@ impl Tangential {
     /// the normal model has boundary elements. FASTSIM, marches and boundary elements have
     /// tractions to show, the tables and corrected FASTSIM those of FASTSIM, corrections none, other
     /// models pressure alone.
-    #[must_use]
     pub fn field(
         &self,
         zone: &Zone,

@@ -41,7 +41,6 @@ fn of_both<P: Real, T: Real>(
 impl<T: Real> UnderLaw<T> {
     /// `zone` of `strips` in `state` under the `laws` of tread and gauge face and with the friction
     /// that `heat` leaves, where there are any.
-    #[must_use]
     pub fn of<P: Real + Into<T>>(
         laws: Option<&[FrictionLaw<P>; 2]>,
         heat: Option<&FlashTemperature>,

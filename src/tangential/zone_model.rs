@@ -36,7 +36,6 @@ pub struct RollingZone<'a, S, T = f64> {
 impl<'a, S: RigidSlip<T>, T: Real> RollingZone<'a, S, T> {
     /// A `zone` of `strips` with the rigid slip `slip` under `law`, which is that of the mean
     /// creepage of `slip`; its y counts from where others have theirs.
-    #[must_use]
     pub fn new(zone: &'a Zone<T>, strips: &'a Strips<T>, slip: S, law: &'a UnderLaw<T>) -> Self {
         let (loaded, state) = (LoadedZone::new(zone, strips, slip, law), law.state);
         Self { loaded, state, limit: state.friction_limit(zone), origin: T::from(0.0) }
@@ -45,7 +44,6 @@ impl<'a, S: RigidSlip<T>, T: Real> RollingZone<'a, S, T> {
 
 impl<'a, T: Real> RollingZone<'a, FlatSlip<'a, T>, T> {
     /// A `zone` of `strips` under `law` with one creepage, which is that of the law.
-    #[must_use]
     pub fn flat(zone: &'a Zone<T>, strips: &'a Strips<T>, law: &'a UnderLaw<T>) -> Self {
         Self::new(zone, strips, FlatSlip { zone, strips, creepage: law.state.creepage }, law)
     }

@@ -12,13 +12,11 @@ pub const DERIVATIVE_NAME: &str = "der(dummy_state)";
 
 /// References of the state and of its derivative: behind those of time and event indicator, which
 /// FMI 3.0 has.
-#[must_use]
 pub fn state_references(unit: &Unit) -> [usize; 2] {
     [2, 3].map(|place| unit.variables.len() + place)
 }
 
 /// The unit of a GUID or instantiation token, and whether it is with a dummy state.
-#[must_use]
 pub fn unit_of<'u>(identity: &str, units: &[&'u Unit]) -> Option<(&'u Unit, bool)> {
     let (guid, has_state) = match identity.strip_suffix(WITH_STATE) {
         Some(guid) => (guid, true),

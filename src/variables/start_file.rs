@@ -64,7 +64,6 @@ impl<S: Described> ValuesOf<S> {
     }
 
     /// The start file of these values: what is other than in the declaration.
-    #[must_use]
     pub fn start_file(&self) -> String {
         let mut text = "# Start values of this unit that differ from those of the crate, as \
                         `wheelrail pack` has left them; SI units.\n"

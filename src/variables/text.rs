@@ -35,7 +35,6 @@ impl<S: Described> ValuesOf<S> {
 
     /// The value of a variable as text that [`ValuesOf::set_from_text`] reads back to the same
     /// bits.
-    #[must_use]
     pub fn text_of(&self, variable: &Variable) -> String {
         let mut text = String::new();
         // A String takes everything.

@@ -142,7 +142,6 @@ impl<S: Described> ValuesOf<S> {
     }
 
     /// The value of a variable of this unit.
-    #[must_use]
     #[inline]
     pub fn get(&self, variable: &Variable) -> Value<'_> {
         let reference = variable.reference;

@@ -44,7 +44,6 @@ pub struct Enumeration {
 
 impl Enumeration {
     /// The item of that value.
-    #[must_use]
     pub fn item(&self, value: i32) -> Option<&'static Item> {
         self.items.iter().find(|i| i.value == value)
     }
@@ -116,7 +115,6 @@ pub struct Variable {
 
 impl Variable {
     /// Whether it is an input or a parameter.
-    #[must_use]
     pub fn is_settable(&self) -> bool {
         matches!(self.causality, Causality::Input | Causality::Parameter)
     }

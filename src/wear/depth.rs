@@ -29,7 +29,6 @@ pub struct DepthPoint {
 /// Wear depth of `worn` against `unworn`, profiles of the same body in the same frame, along the
 /// unworn one from the flange (gauge side) to the field side; places opposite to which the worn one
 /// has ended are left out.
-#[must_use]
 pub fn wear_depth(unworn: &Profile, worn: &Profile) -> Vec<DepthPoint> {
     let (base, other) = (&unworn.curve, &worn.curve);
     let length = base.end() - base.start();

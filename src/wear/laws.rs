@@ -36,7 +36,6 @@ pub enum WearModel {
 
 impl WearModel {
     /// Its name as a value of `wear.model`.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Off => "off",
@@ -184,7 +183,6 @@ pub struct StripLoad {
 impl LawCoefficients {
     /// Volume that one body loses in a strip per time [m³/s]; nothing for the British Rail law,
     /// which is one of whole patches.
-    #[must_use]
     pub fn strip_rate(&self, model: WearModel, strip: &StripLoad) -> f64 {
         if strip.power <= 0.0 || strip.area <= 0.0 {
             return 0.0;
@@ -213,7 +211,6 @@ impl LawCoefficients {
     /// `wear_number` is T-gamma [N], `speed` the reference speed [m/s]. The diameter cancels: what
     /// the section loses is spread over the circumference, volume per distance = area per distance
     /// · π D.
-    #[must_use]
     pub fn british_rail_rate(&self, wear_number: f64, speed: f64) -> f64 {
         std::f64::consts::PI * self.british_rail.area_times_diameter(wear_number) * speed
     }
@@ -221,7 +218,6 @@ impl LawCoefficients {
 
 impl Usfd {
     /// Mass per area and distance at a T-gamma per area of `intensity` [N/m²] [kg/m³].
-    #[must_use]
     pub fn rate(&self, intensity: f64) -> f64 {
         let [severe, catastrophic] = self.limits;
         if intensity < severe {
@@ -234,7 +230,6 @@ impl Usfd {
 
 impl BritishRail {
     /// Worn area of the section per distance, times the wheel's diameter [m²].
-    #[must_use]
     pub fn area_times_diameter(&self, wear_number: f64) -> f64 {
         let [plateau, end] = self.limits;
         if wear_number < plateau {

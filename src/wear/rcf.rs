@@ -17,7 +17,6 @@ use crate::math::real::Real;
 /// where the longitudinal creep force on the wheel points the way it runs, so that the rail is
 /// pushed backwards. Beyond 175 N wear removes more than cracks grow, whatever the direction: the
 /// number is negative.
-#[must_use]
 pub fn tgamma_damage<T: Real>(wear_number: T, is_driving: bool) -> T {
     let [threshold, peak, balance] = [15.0, 65.0, 175.0];
     let damage = if wear_number < threshold {
@@ -38,7 +37,6 @@ pub fn tgamma_damage<T: Real>(wear_number: T, is_driving: bool) -> T {
 /// ```
 ///
 /// `normal_force` N > 0 [N], creep force [N], `area` [m²], `shear_yield` [Pa]; 0 without load.
-#[must_use]
 pub fn surface_fatigue_index<T: Real>(
     normal_force: T,
     creep_force: [T; 2],

@@ -100,7 +100,6 @@ impl WornArc {
 
     /// Wear depth along the unworn arc as the totals give it with `smoothing` [m]: parameter of
     /// each cell's middle and depth [m].
-    #[must_use]
     pub fn depth_over_arc(&self, smoothing: f64) -> Vec<[f64; 2]> {
         let mut scratch = Scratch::default();
         self.smoothed_depths(smoothing, &mut scratch);

@@ -69,7 +69,6 @@ pub struct WornArc {
 
 impl WornArc {
     /// No wear yet of the profile with the curve `base`.
-    #[must_use]
     pub fn new(base: &Curve, body: Body) -> Self {
         let (start, length) = (base.start(), base.end() - base.start());
         let count = (length / CELL).ceil().max(4.0) as usize;
@@ -118,19 +117,16 @@ impl WornArc {
     }
 
     /// Number of knots of the worn curve.
-    #[must_use]
     pub fn knot_count(&self) -> usize {
         self.base_knots.len()
     }
 
     /// What is worn off.
-    #[must_use]
     pub fn state(&self) -> &ArcState {
         &self.state
     }
 
     /// Whether `state` is of this grid.
-    #[must_use]
     pub fn fits(&self, state: &ArcState) -> bool {
         let count = self.spread.len();
         state.total.len() == count && state.pending.len() == count
@@ -146,37 +142,31 @@ impl WornArc {
     }
 
     /// Worn volume, what is not in the curve yet included [m³].
-    #[must_use]
     pub fn volume(&self) -> f64 {
         self.state.volume
     }
 
     /// Worn area of the cross section, what is not in the curve yet included [m²].
-    #[must_use]
     pub fn area(&self) -> f64 {
         self.area + self.state.pending_area
     }
 
     /// Greatest depth of the curve in use [m].
-    #[must_use]
     pub fn depth(&self) -> f64 {
         self.depth
     }
 
     /// Length of the cells [m].
-    #[must_use]
     pub fn cell(&self) -> f64 {
         self.cell
     }
 
     /// The unworn curve.
-    #[must_use]
     pub fn base(&self) -> &Curve {
         &self.base
     }
 
     /// Parameter on the unworn curve of the one `s` on the curve in use [m].
-    #[must_use]
     pub fn to_base(&self, s: f64) -> f64 {
         let knots = &self.worn_knots;
         let i = knots.partition_point(|&k| k <= s).clamp(1, knots.len() - 1) - 1;
@@ -212,7 +202,6 @@ impl WornArc {
     }
 
     /// Depth that is not in the curve yet at a parameter of the unworn curve [m].
-    #[must_use]
     pub fn pending_depth(&self, s: f64) -> f64 {
         let count = self.spread.len();
         let place = ((s - self.start) / self.cell - 0.5).clamp(0.0, (count - 1) as f64);
@@ -223,7 +212,6 @@ impl WornArc {
     }
 
     /// Greatest depth that is not in the curve yet [m].
-    #[must_use]
     pub fn most_pending(&self) -> f64 {
         self.state.most_pending
     }

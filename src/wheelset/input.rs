@@ -119,7 +119,6 @@ impl Default for Input {
 
 impl Input {
     /// All numbers zero: no rates.
-    #[must_use]
     pub fn at_rest() -> Self {
         let input = element::Input::at_rest();
         let sides = [SideInput::of(&input); 2];
@@ -129,7 +128,6 @@ impl Input {
 
     /// The input of the element on one side, whose marker is `along` [m] to the right of the
     /// centre, in the frame of its rails.
-    #[must_use]
     pub fn of_side(&self, side: usize, along: f64) -> element::Input {
         let own = &self.sides[side];
         let mut wheel = self.track.against_ground(&self.wheelset).along_axle(along);

@@ -129,19 +129,16 @@ impl Wheelset {
 
     /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its
     /// starting height where it stands beside the rails [m].
-    #[must_use]
     pub fn nominal_z(&self) -> f64 {
         self.nominal.wheelset_z
     }
 
     /// Heights of first touch of the wheelset and of each wheel.
-    #[must_use]
     pub fn nominal_heights(&self) -> NominalHeights {
         self.nominal
     }
 
     /// The right wheel and the left one.
-    #[must_use]
     pub fn elements(&self) -> &[Element; 2] {
         &self.elements
     }

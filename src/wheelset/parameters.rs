@@ -33,7 +33,6 @@ impl Default for Parameters {
 impl Parameters {
     /// The same for both sides, flange backs 1.36 m apart. Rails placed by position get their
     /// mirror images, wherever `one` is.
-    #[must_use]
     pub fn of_both(one: &element::Parameters) -> Self {
         let sides = [Side::Right, Side::Left].map(|side| one.on_side(side));
         Self {
@@ -45,7 +44,6 @@ impl Parameters {
     }
 
     /// Distance of each wheel marker from the centre, positive to the right [m].
-    #[must_use]
     pub fn markers(&self) -> [f64; 2] {
         let half = 0.5 * self.flange_back_distance + TAPE_CIRCLE;
         [half, -half]

@@ -16,7 +16,6 @@ pub(super) fn on_side(error: ContactError, side: &str) -> ContactError {
 
 /// The name in `WheelSet.fmu` of what `WheelRail.fmu` calls `name`: what belongs to one wheel or
 /// one rail has the side before it, models and materials are those of both.
-#[must_use]
 pub fn name_on_side(name: &str, side: &str) -> String {
     let is_common = ["wheel.young_modulus", "wheel.poisson_ratio", "rail.", "wear.model"]
         .iter()

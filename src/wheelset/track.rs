@@ -54,7 +54,6 @@ impl<T: Real> TrackTurn<T> {
     /// ```
     ///
     /// The frame turns at the station of the body, whatever its x.
-    #[must_use]
     pub fn against_ground(&self, in_track: &WheelMotion<T>) -> WheelMotion<T> {
         let turning = self.vector() * in_track.velocity[0];
         let [_, y, z] = in_track.position;

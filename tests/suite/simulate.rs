@@ -75,9 +75,15 @@ fn a_wheelset_meets_the_ramp_and_returns_to_the_middle_of_the_track() {
             assert!((-80e3..-20e3).contains(&row[column]), "{column} = {}", row[column]);
         }
     }
-    for name in ["motion.svg", "patches.svg"] {
+    for (name, words) in [
+        ("motion.svg", ["Wheelset: S1002 on 60E1", "distance [m]"]),
+        ("patches.svg", ["Left rail head", "Right wheel"]),
+    ] {
         let figure = std::fs::read_to_string(folder.path().join(name)).unwrap();
         assert!(figure.contains("</svg>") && figure.contains("S1002 on 60E1"), "{name}");
+        assert!(words.iter().all(|word| figure.contains(word)), "{name}");
+        let bands = figure.matches("<rect").count();
+        assert!(name != "patches.svg" || bands > 1000, "{bands} bands");
     }
 }
 

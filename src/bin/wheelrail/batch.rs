@@ -21,11 +21,8 @@ pub fn all_cores() -> usize {
 /// order of the cases.
 ///
 /// Cases are taken one by one as threads become free; results wait for those before them. Each
-/// thread has something of its own that `keep` makes and that it uses for all of its cases.
-///
-/// # Errors
-/// The first error in the order of the cases, of a case itself, of `work` or of `done`; the results
-/// before it have been handed over.
+/// thread has something of its own that `keep` makes and that it uses for all of its cases. After an
+/// error, the first in the order of the cases, the results before it have been handed over.
 pub fn in_order<C, R: Send, K>(
     cases: impl Iterator<Item = Result<C>> + Send,
     threads: usize,

@@ -107,9 +107,6 @@ impl Header {
 
 impl CaseReader {
     /// Opens the file `path` and reads its header.
-    ///
-    /// # Errors
-    /// If the file cannot be read, has no header, or a column has no name or occurs twice.
     pub fn open(path: &Path) -> Result<Self> {
         let context = || format!("cannot read {}", path.display());
         let file = File::open(path).with_context(context)?;
@@ -170,10 +167,6 @@ fn no_rows(path: &Path) -> anyhow::Error {
 
 impl Cases {
     /// Reads the file `path`.
-    ///
-    /// # Errors
-    /// If the file cannot be read, has no rows, a row is of another length than the header, or a
-    /// column occurs twice.
     pub fn read(path: &Path) -> Result<Self> {
         let reader = CaseReader::open(path)?;
         Ok(Self { header: reader.header.clone(), rows: reader.collect::<Result<_>>()? })

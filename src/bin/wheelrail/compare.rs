@@ -44,8 +44,6 @@ use summary::Summary;
 /// boundary element solution, that of the creep force in percent of the friction limit, that of the
 /// spin moment in percent of friction limit times sqrt(area/pi). Median, 95 % and worst of the
 /// errors go to standard output if the result goes to a file, else to standard error.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -62,9 +60,6 @@ pub struct Arguments {
 }
 
 /// Compares all rows.
-///
-/// # Errors
-/// With row and column: what is unknown, missing or refused. Rows before it are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = arguments.files.output.as_deref();
     let outputs = [path, arguments.summary.as_deref(), arguments.figure.as_deref()];

@@ -60,10 +60,6 @@ const MAX_ROWS: f64 = 1e5;
 const REFERENCE_AMPLITUDE: f64 = 3e-3;
 
 /// Computes the table and, if asked for, draws the figure.
-///
-/// # Errors
-/// If an option or profile is not admitted, no position has contact on both sides, or nothing can
-/// be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
     let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];

@@ -11,9 +11,6 @@ use crate::named_files::NamedFiles;
 
 /// The rows of a table with the variables they set; none names a file that is one of `results`. The
 /// columns `others` are none of variables.
-///
-/// # Errors
-/// With row and column: an unknown name, a value that is refused.
 pub fn read_values<'a>(
     cases: &'a Cases,
     others: &[&str],
@@ -32,9 +29,6 @@ pub fn read_values<'a>(
 
 /// The variables that the columns of a table set; none is that of a column of labels, and of those
 /// called as one of `others`.
-///
-/// # Errors
-/// The column that names none, or one that is computed.
 pub fn variables(header: &Header, others: &[&str]) -> Result<Vec<Option<&'static Variable>>> {
     let all: Vec<Option<&Variable>> = header
         .columns()
@@ -58,9 +52,6 @@ pub fn is_label(name: &str) -> bool {
 }
 
 /// Sets what a row has.
-///
-/// # Errors
-/// With row and column, a value that is refused.
 pub fn set(values: &mut Values, columns: &[Option<&Variable>], row: &Row) -> Result<()> {
     for (column, _, text) in row.cells() {
         if let Some(variable) = columns[column] {
@@ -72,9 +63,6 @@ pub fn set(values: &mut Values, columns: &[Option<&Variable>], row: &Row) -> Res
 
 /// The variable of that FMI name, or of the short name that inputs have in Python: y for wheel.y,
 /// load for wheel.load, friction for friction.coefficient.
-///
-/// # Errors
-/// A name that no variable has, with the nearest one.
 fn by_name(name: &str) -> Result<&'static Variable, UnknownVariable> {
     find(name).or_else(|unknown| {
         let long = match name {

@@ -34,8 +34,6 @@ use crate::remarks::{Found, ProfileRemarks, Remarks};
 /// RAYON_NUM_THREADS says, and written in their order as they are done. A file gets its name when
 /// it is complete: what is done of it before, when the run is stopped or a row is refused, stays in
 /// FILE.partial.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -49,10 +47,6 @@ pub struct Arguments {
 }
 
 /// Evaluates all rows.
-///
-/// # Errors
-/// With row and column: an unknown name, a value or profile that is refused. Rows before one whose
-/// profile is refused are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let (cases, path) = (arguments.files.cases.as_path(), arguments.files.output.as_deref());
     output::check_names([cases], [path])?;

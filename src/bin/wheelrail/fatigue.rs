@@ -35,8 +35,6 @@ use contacts::{Found, at_wheel, of_planar};
 /// depth; --map writes the same as a table, with the passages beyond --endurance and beyond k. All
 /// rows then need the same profile. Strengths are yours: start values are those of ordinary rail
 /// steel, there is none for the endurance.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -128,9 +126,6 @@ impl Arguments {
 }
 
 /// Judges all contacts and draws them.
-///
-/// # Errors
-/// With row and column what is unknown, missing or refused; if there is no contact at all.
 pub fn run(arguments: &Arguments) -> Result<()> {
     arguments.check()?;
     let strength = arguments.strength()?;

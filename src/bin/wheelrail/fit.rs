@@ -30,8 +30,6 @@ use points::Points;
 ///
 /// Said is each parameter with its standard error, as it can be given to --set of the other
 /// commands, and what the data do not determine. A table of the fit goes to --output.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -72,9 +70,6 @@ const COLUMNS: [&str; 8] = [
 ];
 
 /// Fits, says what was found and writes table and figure.
-///
-/// # Errors
-/// With row and column: an unknown column, a value that is refused; fewer points than parameters.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let mut names = arguments.parameters.clone();
     // Behind names that are parted by blanks the table is taken for the last of them.

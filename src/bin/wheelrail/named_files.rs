@@ -23,9 +23,6 @@ impl<'a> NamedFiles<'a> {
     }
 
     /// Checks that no result has the name of a file that an element of `parameters` reads.
-    ///
-    /// # Errors
-    /// The name at fault.
     pub fn check(&mut self, parameters: &Parameters) -> Result<()> {
         let rails = parameters.rails.iter().flat_map(|r| [&r.profile, &r.corrugation.file]);
         let wheel = [&parameters.wheel.profile, &parameters.wheel.out_of_round.file];

@@ -48,9 +48,6 @@ impl ContactOptions {
     }
 
     /// Parameters of both wheels as the options set them.
-    ///
-    /// # Errors
-    /// A name that no parameter has or that wheels do not share, or a value that is not admitted.
     pub fn shared_values(&self) -> Result<Values> {
         let mut values = Values::default();
         for (name, value) in self.all_settings() {

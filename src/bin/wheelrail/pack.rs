@@ -51,9 +51,6 @@ pub struct Arguments {
 }
 
 /// Packs the unit.
-///
-/// # Errors
-/// By name what is unknown, missing or refused; nothing is written then.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = &arguments.output;
     if path.extension().is_none_or(|end| !end.eq_ignore_ascii_case("fmu")) {

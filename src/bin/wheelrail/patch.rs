@@ -46,8 +46,6 @@ const RESULTS: [&str; 11] = [
 /// An empty cell is as if the column were left out. Lines that begin with # are comments. The
 /// column time_us of the result is the time of one solution on this machine, the median of five;
 /// boundary elements are timed once, several cases at once on all cores.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -57,9 +55,6 @@ pub struct Arguments {
 }
 
 /// Solves all rows.
-///
-/// # Errors
-/// With row and column: an unknown column, a missing file, a value that is refused.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let cases = Cases::read(&arguments.files.cases)?;
     let path = arguments.files.output.as_deref();

@@ -25,18 +25,12 @@ pub struct PlanarCases {
 
 impl PlanarCases {
     /// Reads the cases and the files they name.
-    ///
-    /// # Errors
-    /// With row and column: an unknown column, a missing file, a value that is refused.
     pub fn read(cases: &Cases) -> Result<Self> {
         Self::read_with(cases, &[])
     }
 
     /// The same, with boundary elements where the table names no models, of a table with `others`
     /// among its columns.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
     pub fn of_boundary_elements(cases: &Cases, others: &[&str]) -> Result<Self> {
         let mut all = Self::read_with(cases, others)?;
         let [normal, tangential] =

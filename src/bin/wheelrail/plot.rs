@@ -35,8 +35,6 @@ use crate::{models, output};
 /// With --worn-wheel or --worn-rail instead of CASES the worn profiles, as a run of the FMU with
 /// wear.wheel.file or wear.rail[1].file leaves them, are drawn on those they were, and the wear
 /// depth along the normal of those over y.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -73,9 +71,6 @@ pub struct Arguments {
 }
 
 /// Draws the case.
-///
-/// # Errors
-/// With row and column what is unknown, missing or refused; if there is no contact to draw.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.output.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
         bail!("{}: figures are SVG; write a name that ends in .svg", arguments.output.display());
@@ -120,9 +115,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 /// The contacts of a wheel and the index of the one asked for, 1 for the most loaded one; its files
 /// lie in `folder`.
-///
-/// # Errors
-/// A value that is refused, or that there is no such contact.
 pub fn contacts(
     values: &Values,
     folder: &Path,
@@ -139,9 +131,6 @@ pub fn contacts(
 }
 
 /// The contacts of a wheel, after its remarks are told; its files lie in `folder`.
-///
-/// # Errors
-/// A value that is refused.
 pub fn all_contacts(values: &Values, folder: &Path) -> Result<Vec<FlatContact>> {
     let Values { parameters, input, .. } = values;
     let mut element = Element::new(parameters, input, &[folder.into()])?;
@@ -155,9 +144,6 @@ pub fn all_contacts(values: &Values, folder: &Path) -> Result<Vec<FlatContact>> 
 }
 
 /// The heaviest contact of a wheel that rolls steadily as a figure; its files lie in `folder`.
-///
-/// # Errors
-/// If the wheel touches no rail, or a model fails.
 pub fn of_wheel(parameters: &Parameters, input: &Input, folder: &Path) -> Result<Figure> {
     let mut values = Values { parameters: parameters.clone(), input: *input, ..Values::default() };
     // Steady rolling is what contacts that remember begin with.

@@ -30,8 +30,6 @@ use crate::{models, output, plot};
 /// stresses on the vertical through it, and in the first section the orthogonal shear over x at the
 /// depth where it is greatest along rolling. Linear theory, FaStrip and no tangential model have no tractions to show, and
 /// stresses of the pressure alone; tables have the tractions of FASTSIM.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -63,9 +61,6 @@ enum Of {
 }
 
 /// Writes the greatest stresses and draws them.
-///
-/// # Errors
-/// With row and column what is unknown, missing or refused; if there is no contact.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Arguments { cases: path, row, output: figure, points, .. } = arguments;
     if figure.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {

@@ -29,8 +29,6 @@ use results::{Results, Swept};
 /// row for each output that changes; `at` counts rows from 1: 1.25 is a quarter of the way from the
 /// first to the second. With --vary the path is run once for each value of a parameter, to compare
 /// models.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -52,10 +50,6 @@ pub struct Arguments {
 }
 
 /// Steps along the path.
-///
-/// # Errors
-/// With row and column what evaluate refuses; a path of fewer than two rows; files that cannot be
-/// written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = &arguments.files.cases;
     let destination = arguments.files.output.as_deref();

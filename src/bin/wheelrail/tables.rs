@@ -50,9 +50,6 @@ pub struct Arguments {
 }
 
 /// Makes or measures.
-///
-/// # Errors
-/// If a solution does not converge or the file cannot be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let &[coarse, fine] = &arguments.elements[..] else {
         bail!("--elements: write two numbers, as 16,24");

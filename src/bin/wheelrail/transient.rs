@@ -64,8 +64,6 @@ const MAX_STEPS: f64 = 1e6;
 /// An empty cell is as if the column were left out. The result has a row for each step: the row of
 /// STATES, the distance rolled from the first on, forces, contact, the displacement of the step, the
 /// work that friction took up in it, and how it was solved.
-// The text is shown as it stands by --help.
-#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -81,9 +79,6 @@ pub struct Arguments {
 }
 
 /// Goes through all rows.
-///
-/// # Errors
-/// With row and column: an unknown column, a missing file, a value that is refused.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let table = Cases::read(&arguments.files.cases)?;
     let path = arguments.files.output.as_deref();

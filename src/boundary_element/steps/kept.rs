@@ -38,14 +38,12 @@ impl Kept {
     }
 
     /// How many numbers [`append_to`](Self::append_to) adds.
-    #[must_use]
     pub fn numbers(&self) -> usize {
         HEAD + 2 * self.tractions.len()
     }
 
     /// From what [`append_to`](Self::append_to) added, and what is left of the numbers; nothing
     /// where they are none.
-    #[must_use]
     pub fn from_numbers(numbers: &[f64]) -> Option<(Self, &[f64])> {
         let (head, rest) = numbers.split_first_chunk::<HEAD>()?;
         // Comparisons with what is not a number are false.
@@ -68,7 +66,6 @@ impl Kept {
 
     /// The same on elements of twice the size along `axis` (0: x, 1: y), where elements of both sizes
     /// share their borders from coordinate 0 on: forces stay.
-    #[must_use]
     pub fn doubled(&self, axis: usize) -> Self {
         let mut window = self.window;
         let (first, count) = (window.first[axis], window.count[axis] as i64);

@@ -29,14 +29,12 @@ const ROUNDING: f64 = 1e-6;
 
 impl Lattice {
     /// That of which `grid` is a part, its y counted from `contact_y`.
-    #[must_use]
     pub fn through(grid: &Grid, contact_y: f64) -> Self {
         let origin = [grid.x(grid.along - 1), grid.left_y + contact_y];
         Self { size: [grid.dx, grid.dy], origin }
     }
 
     /// The elements over an extent (least and greatest x, then y) and one more on each side.
-    #[must_use]
     pub fn over(&self, extent: [[f64; 2]; 2]) -> Window {
         let mut window = Window::default();
         for (axis, extent) in extent.into_iter().enumerate() {
@@ -50,13 +48,11 @@ impl Lattice {
     }
 
     /// Elements of `size` whose borders lie at whole multiples of it [m].
-    #[must_use]
     pub fn with_borders_at_multiples(size: [f64; 2]) -> Self {
         Self { size, origin: size.map(|size| 0.5 * size) }
     }
 
     /// The window that `grid` is, a part of this lattice, its y as those of the lattice.
-    #[must_use]
     pub fn window_of(&self, grid: &Grid) -> Window {
         let place = |at: f64, axis: usize| ((at - self.origin[axis]) / self.size[axis]).round();
         let leading = place(grid.leading_x, 0) as i64;
@@ -65,19 +61,16 @@ impl Lattice {
     }
 
     /// The centre of the element in a column and row [m].
-    #[must_use]
     pub fn centre(&self, at: [i64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| self.origin[axis] + at[axis] as f64 * self.size[axis])
     }
 
     /// The place `at` [m] in columns and rows, whole at the centres of elements.
-    #[must_use]
     pub fn place_of(&self, at: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| (at[axis] - self.origin[axis]) / self.size[axis])
     }
 
     /// The elements of `window` as a grid, y counted from `contact_y`.
-    #[must_use]
     pub fn grid(&self, window: &Window, contact_y: f64) -> Grid {
         let Window { first, count } = *window;
         let leading = first[0] + count[0] as i64 - 1;
@@ -94,7 +87,6 @@ impl Lattice {
 
 impl Window {
     /// The least window whose centres surround all of the `places` in columns and rows.
-    #[must_use]
     pub fn around(places: &[[f64; 2]]) -> Self {
         let mut window = Self::default();
         for axis in 0..2 {
@@ -108,7 +100,6 @@ impl Window {
     }
 
     /// Column and row of element number `k` of its grid.
-    #[must_use]
     pub fn element(&self, k: usize) -> [i64; 2] {
         let Self { first, count } = *self;
         let columns = count[0].max(1);
@@ -118,7 +109,6 @@ impl Window {
     }
 
     /// The number in its grid of the element in that column and row, if it has it.
-    #[must_use]
     pub fn place(&self, at: [i64; 2]) -> Option<usize> {
         let Self { first, count } = *self;
         let behind = usize::try_from(first[0] + count[0] as i64 - 1 - at[0]).ok()?;
@@ -128,7 +118,6 @@ impl Window {
 
     /// The values of its elements at a `place` in columns and rows, linear between their centres; 0
     /// outside.
-    #[must_use]
     pub fn between(&self, place: [f64; 2], values: &[[f64; 2]]) -> [f64; 2] {
         let low = place.map(f64::floor);
         let share = [0, 1].map(|axis| place[axis] - low[axis]);
@@ -147,13 +136,11 @@ impl Window {
     }
 
     /// Whether it has no more elements than `most`.
-    #[must_use]
     pub fn is_within(&self, most: usize) -> bool {
         self.count[0].saturating_mul(self.count[1]) <= most
     }
 
     /// The least window with the elements of both.
-    #[must_use]
     pub fn with(&self, other: &Self) -> Self {
         let mut both = *self;
         for axis in 0..2 {
@@ -167,7 +154,6 @@ impl Window {
 
     /// Values of the elements of `from` on those of this window, in the order of grids: the default
     /// where `from` has none.
-    #[must_use]
     pub fn values_of<T: Copy + Default>(&self, from: &Self, values: &[T]) -> Vec<T> {
         let mut own = vec![T::default(); self.count[0] * self.count[1]];
         for j in 0..self.count[1] {

@@ -53,7 +53,6 @@ enum Share {
 
 impl Part<'_> {
     /// What it has of a displacement `whole` of the step [m].
-    #[must_use]
     pub fn of(&self, whole: f64) -> f64 {
         match self.share {
             Share::Of(share) => share * whole,
@@ -62,7 +61,6 @@ impl Part<'_> {
     }
 
     /// How many times its displacements count in the step.
-    #[must_use]
     pub fn times(&self) -> f64 {
         match self.share {
             Share::Of(_) => 1.0,
@@ -106,7 +104,6 @@ pub struct Walk {
 impl Walk {
     /// A step of bodies of `material` over the distance `rolled`, negative backward [m], to where
     /// the elements of `window`, those of `grid`, have the greatest tractions `bound` [Pa].
-    #[must_use]
     pub fn new(
         grid: Grid,
         window: Window,
@@ -134,14 +131,12 @@ impl Walk {
     }
 
     /// Whether the step has jumped so far away from `kept` that nothing of it is felt.
-    #[must_use]
     pub fn has_jumped(&self, kept: &Kept) -> bool {
         !self.with(kept).is_within(MAX_SPAN)
     }
 
     /// The axis (0: x, 1: y) along which the elements of `kept` are too far from those of the step,
     /// and how many elements the contact has moved along it.
-    #[must_use]
     pub fn too_far(&self, kept: &Kept) -> Option<(usize, usize)> {
         if self.is_steady() {
             return None;
@@ -169,7 +164,6 @@ impl Walk {
     /// Takes the tractions of `kept` over as they are, where a step over nothing, in which nothing
     /// is displaced, leaves them: where they are within the bounds of their elements. Whether they
     /// are.
-    #[must_use]
     pub fn rests(&mut self, kept: &Kept) -> bool {
         let most = 1.0 + ROUNDING;
         let fits = kept.tractions.iter().enumerate().all(|(k, p)| {

@@ -78,11 +78,11 @@ impl<T: Real> CurvedStrips<T> {
         self.points.resize(zone.first, Vector3::zeros());
         self.axes.resize(zone.first, leaning_axes(along, Vector3::y(), T::from(0.0)));
         self.creepages.resize(zone.first, Creepage::default());
-        for j in zone.first..zone.first + zone.count {
+        for j in zone.range() {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
             let axes = leaning_axes(along, tangent, lean);
             let creepage = motion.creepage(point, &axes, reference_speed);
-            let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+            let weight = strips.weight(j);
             load += weight;
             mean.longitudinal += weight * creepage.longitudinal;
             mean.lateral += weight * creepage.lateral;
@@ -149,6 +149,7 @@ mod tests {
     use crate::kinematics::creepage::rolling_speed;
     use crate::kinematics::motion::{RailMotion, WheelMotion};
     use crate::material::{Material, MaterialPair};
+    use crate::normal::LoadedStrip;
     use crate::tangential::friction_law::FrictionLaw;
     use crate::tangential::{RollingState, TangentialModel};
     use approx::assert_relative_eq;
@@ -222,21 +223,14 @@ mod tests {
             let place = (2.0 * j as f64 + 1.0) / count as f64 - 1.0;
             let chord = (1.0 - place * place).sqrt();
             let (y, angle) = (across * place, across * place / 7e-3);
-            for (column, value) in [
-                (&mut strips.y, y),
-                (&mut strips.width, 2.0 * across / count as f64),
-                (&mut strips.x, 0.0),
-                (&mut strips.half_length, along * chord),
-                (&mut strips.pressure, pressure * chord),
-                (&mut strips.u, y),
-            ] {
-                column.push(value);
-            }
+            let (width, half_length) = (2.0 * across / count as f64, along * chord);
+            let pressure = pressure * chord;
+            strips.push(LoadedStrip { y, width, x: 0.0, half_length, pressure, u: y });
             strips.friction.push(StripFriction {
                 gauge_face_share: 0.5 + 0.5 * place,
                 ..StripFriction::of(0.4)
             });
-            zone.load += 0.5 * PI * along * chord * pressure * chord * 2.0 * across / count as f64;
+            zone.load += 0.5 * PI * half_length * pressure * width;
             curved.points.push(Vector3::new(0.0, 7e-3 * angle.sin(), 7e-3 * (1.0 - angle.cos())));
             let tangent = Vector3::new(0.0, angle.cos(), angle.sin());
             curved.axes.push(leaning_axes(Vector3::x(), tangent, 0.0));

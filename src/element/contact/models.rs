@@ -85,14 +85,12 @@ pub struct Models<T = f64> {
 impl Models {
     /// Largest distance left at a node of the strips of the rail under way, or overlap left, over
     /// its greatest overlap; 0 where strips were not solved [-].
-    #[must_use]
     pub fn normal_residual(&self) -> f64 {
         self.strip_solver.as_ref().map_or(0.0, StripSolver::residual)
     }
 
     /// Whether pressure and tractions act on each other, the bodies being of unlike materials, and the
     /// models can tell.
-    #[must_use]
     pub fn is_coupled(&self) -> bool {
         self.normal == NormalModel::BoundaryElement
             && self.tangential.model() == TangentialModel::BoundaryElement
@@ -103,7 +101,6 @@ impl Models {
     /// The same models with memory for other numbers; without what only plain ones can be: a
     /// solver, uneven bodies, wear. `rows` is how many an outline of a rail that varies along the
     /// track has, if there is one.
-    #[must_use]
     pub fn in_other_numbers<T: Real>(&self, rows: Option<usize>) -> Models<T> {
         let strips =
             |like: &Strips| Strips::with_capacity(like.zones.capacity(), like.y.capacity());
@@ -141,7 +138,6 @@ impl Models {
     }
 
     /// The models that checked `parameters` ask for.
-    #[must_use]
     pub fn new(parameters: &Parameters) -> Self {
         let [wheel, rail] = parameters.materials();
         let is_strips = parameters.normal_model == NormalModel::Strips;

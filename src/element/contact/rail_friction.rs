@@ -75,7 +75,6 @@ impl RailFriction {
 
     /// Friction at a `place` of a rail of that `hand` and at `station` along the track [m]; `last`
     /// is where it was asked for last.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn at<T: Real>(
         &self,

@@ -22,7 +22,6 @@ pub struct ZoneSurface<T = f64> {
 
 impl<T: Real> ZoneSurface<T> {
     /// That of an even wheel on an even rail.
-    #[must_use]
     pub fn even() -> Self {
         let zero = T::from(0.0);
         Self { depth: zero, radius: zero, lean: zero, ahead: zero }
@@ -31,7 +30,6 @@ impl<T: Real> ZoneSurface<T> {
     /// The surface of a wheel whose section varies around at a centroid of load `ahead` of the
     /// contact line of the round wheel in its place [m]: its normals do not lean, and act where
     /// they are.
-    #[must_use]
     pub fn beside_round(ahead: T) -> Self {
         Self { ahead, ..Self::even() }
     }
@@ -41,7 +39,6 @@ impl<T: Real> ZoneSurface<T> {
     /// there, so that the normal force of a round wheel has no moment about the axle, and less by
     /// as much as it passes ahead of the axle. The contact line itself lies `line_ahead` of that of
     /// a round wheel. `share` is the component of a unit of height along the normal.
-    #[must_use]
     pub fn met(share: T, radius: T, along: &Along<T>, line_ahead: T, ahead: T) -> Self {
         let Along { raised, lever, .. } = *along;
         let to = ahead - line_ahead;
@@ -57,8 +54,8 @@ pub fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> 
     // Strips of a yawed wheel each have their own place on the line.
     let zero = T::from(0.0);
     let (mut ahead, mut load) = (zero, zero);
-    for j in zone.first..zone.first + zone.count {
-        let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+    for j in zone.range() {
+        let weight = strips.weight(j);
         ahead += weight * (strips.x[j] - centre(strips.u[j]));
         load += weight;
     }

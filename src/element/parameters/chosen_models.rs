@@ -8,7 +8,6 @@ use crate::planar::{Indentation, PlanarCase};
 
 impl Parameters {
     /// Elastic constants of wheel and rails.
-    #[must_use]
     pub fn materials(&self) -> [Material; 2] {
         let wheel = Material {
             young_modulus: self.wheel.young_modulus,
@@ -23,7 +22,6 @@ impl Parameters {
 
     /// A planar problem with the models, resolutions and materials of these parameters; see
     /// [`PlanarCase`] for the rest.
-    #[must_use]
     pub fn planar_case<'a>(
         &self,
         separation: &'a [[f64; 2]],

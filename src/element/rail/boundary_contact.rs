@@ -15,8 +15,8 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::math::real::Real;
-use crate::normal::Zone;
 use crate::normal::rail_elements::{self, RailElements, Row};
+use crate::normal::{LoadedStrip, Zone};
 
 /// Elements that the grid of like bodies gets more on each side: room for what tractions do.
 const ROOM: usize = 2;
@@ -124,7 +124,7 @@ fn take_zone(
     let Models { strips, rail_strips: all, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
-    let range = zone.first..zone.first + zone.count;
+    let range = zone.range();
     let (mut load, mut force, mut moment, mut forward) = (0.0, [0.0; 2], 0.0, 0.0);
     let (mut centre, mut penetration) = ([0.0; 2], 0.0_f64);
     let strip_of_row = all.elements.as_deref().map_or(&[][..], |field| &field.strip_of_row);
@@ -154,12 +154,7 @@ fn take_zone(
     let forward = if rail.variation().is_some() { forward } else { 0.0 };
     let share = size.hypotenuse(forward) / load.max(f64::MIN_POSITIVE);
     for j in range {
-        strips.y.push(all.y[j] - middle);
-        strips.width.push(all.width[j]);
-        strips.x.push(all.x[j]);
-        strips.half_length.push(all.half_length[j]);
-        strips.pressure.push(all.pressure[j]);
-        strips.u.push(all.u[j]);
+        strips.push(LoadedStrip { y: all.y[j] - middle, ..all.strip(j) });
     }
     let contact = Contact {
         u: zone.u,

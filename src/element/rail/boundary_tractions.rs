@@ -357,9 +357,7 @@ fn directions(zone: &ZoneState) -> impl Iterator<Item = (Rolling, f64)> {
 
 /// The zone to which each row of elements belongs, of those that carry pressure.
 fn zone_of_row(all: &Strips) -> Vec<Option<usize>> {
-    let of_strip = |j: usize| {
-        all.zones.iter().position(|zone| (zone.first..zone.first + zone.count).contains(&j))
-    };
+    let of_strip = |j: usize| all.zones.iter().position(|zone| zone.range().contains(&j));
     let strip_of_row = all.elements.as_deref().map_or(&[][..], |field| &field.strip_of_row);
     strip_of_row.iter().map(|strip| strip.and_then(of_strip)).collect()
 }

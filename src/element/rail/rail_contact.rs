@@ -59,7 +59,6 @@ const MAX_RANGES: usize = 32;
 
 impl RailContact {
     /// Prepares the contact of the wheel with profile `wheel` and a placed rail.
-    #[must_use]
     pub fn new(
         wheel: &Profile,
         rail_name: &str,

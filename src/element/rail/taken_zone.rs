@@ -7,7 +7,7 @@ use crate::element::contact::rolling_zones::LaidZone;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::math::real::Real;
-use crate::normal::Strips;
+use crate::normal::{LoadedStrip, Strips};
 
 /// A zone in a frame of its own.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,7 @@ pub(in crate::element) fn deepest_within<'a, T: Real>(
 
 /// Parameters of the strips of the last zone.
 pub(in crate::element) fn of_last_zone<T>(strips: &Strips<T>) -> &[T] {
-    strips.zones.last().map_or(&[], |zone| &strips.u[zone.first..zone.first + zone.count])
+    strips.zones.last().map_or(&[], |zone| &strips.u[zone.range()])
 }
 
 /// Adds zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
@@ -70,11 +70,10 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     let mut zone = all.zones[index];
     let first = strips.y.len();
-    let range = zone.first..zone.first + zone.count;
     let zero = T::from(0.0);
     let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
     let (mut penetration, mut ahead) = (zero, zero);
-    for j in range {
+    for j in zone.range() {
         let own = place(all.u[j]);
         let LocalPlace { point, tangent: direction, overlap, .. } = own;
         let at = [all.x[j], all.y[j], all.u[j]];
@@ -88,12 +87,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
             origin[axis] += load * point[axis];
         }
         penetration = penetration.max(overlap);
-        strips.y.push(all.y[j]);
-        strips.width.push(all.width[j]);
-        strips.x.push(all.x[j]);
-        strips.half_length.push(all.half_length[j]);
-        strips.pressure.push(pressure);
-        strips.u.push(all.u[j]);
+        strips.push(LoadedStrip { pressure, ..all.strip(j) });
     }
     let (area, load) = (zone.area, zone.load);
     zone.first = first;

@@ -11,9 +11,6 @@ impl<S: Described + Subject> Instance<S> {
     /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, element by element, as
     /// [`directional_derivative`](Self::directional_derivative) does. The event indicator moves in
     /// steps: its derivative is 0 in between.
-    ///
-    /// # Errors
-    /// As there.
     pub fn directional_derivative_of_arrays(
         &mut self,
         unknowns: &[ValueReference],
@@ -54,9 +51,6 @@ impl<S: Described + Subject> Instance<S> {
 
     /// Puts Σ `seed` · ∂ unknown/∂ known into `sensitivity`, element by element, as
     /// [`adjoint_derivative`](Self::adjoint_derivative) does; that of the event indicator is 0.
-    ///
-    /// # Errors
-    /// As there.
     pub fn adjoint_derivative_of_arrays(
         &mut self,
         unknowns: &[ValueReference],

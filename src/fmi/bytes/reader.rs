@@ -14,9 +14,6 @@ use crate::variables::{Described, Kind, Value, ValuesOf, WHEEL, WHEELSET};
 use crate::wear::ArcState;
 
 /// The state of bytes.
-///
-/// # Errors
-/// Bytes that are damaged, no state at all, or of another version of the unit.
 pub fn read<S: Described>(bytes: &[u8]) -> Result<Snapshot<S>, FmiError> {
     let bad = |problem: &str| FmiError::BadBytes(problem.into());
     let damaged = || bad("is damaged: fewer or other bytes than were serialized");

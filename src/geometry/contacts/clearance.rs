@@ -82,7 +82,6 @@ impl OppositeCells<'_> {
 
 impl Clearance {
     /// The tables for a wheel profile and a rail curve in the frame of its marker.
-    #[must_use]
     pub fn new(wheel: &Curve, nominal_radius: f64, rail: &Curve) -> Self {
         let mut tables = Self {
             top: Vec::new(),
@@ -243,14 +242,12 @@ impl Clearance {
 
     /// Marker z above which (smaller z) no wheel with this roll [rad] touches, wherever it stands
     /// [m].
-    #[must_use]
     pub fn clear_height(&self, roll: f64) -> f64 {
         self.rail_top - self.wheel_low - self.nominal_radius - self.drop(roll)
     }
 
     /// Marker z above which no cell of the wheel touches at the place and attitude of `pose`, whose
     /// own z counts only where the rail rolls; infinite beside the rail [m].
-    #[must_use]
     pub fn height_near_touch(&self, pose: &WheelPose) -> f64 {
         let Some(opposite) = self.opposite_cells(pose) else {
             return self.clear_height(pose.roll);
@@ -305,7 +302,6 @@ impl Clearance {
     /// How deep the wheel at `pose` lies below the top of the rail where the rail is wide around
     /// it, whatever the outlines look like below [m]; nothing where it does not. Roll and yaw count
     /// as none: it is a measure of wheels that are inside.
-    #[must_use]
     pub fn sunk(&self, pose: &WheelPose) -> Option<f64> {
         let y = pose.marker[1] - self.nominal_radius * pose.roll.sin();
         let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();

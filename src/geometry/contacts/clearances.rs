@@ -19,14 +19,12 @@ pub struct Clearances {
 
 impl Clearances {
     /// Those of an even rail.
-    #[must_use]
     pub fn even(own: Clearance) -> Self {
         Self { pieces: vec![own], start: 0.0, length: LENGTH }
     }
 
     /// Those of a rail that varies, whose bound as an even one is `own`, and how far a piece of it
     /// reaches beyond the sides of that at most [m].
-    #[must_use]
     pub fn along(own: &Clearance, rail: &VaryingRail) -> (Self, f64) {
         let [start, end] = rail.stations();
         let length = ((end - start) / MOST).max(LENGTH);
@@ -42,7 +40,6 @@ impl Clearances {
     }
 
     /// That of a wheel above `station` [m].
-    #[must_use]
     pub fn at(&self, station: f64) -> &Clearance {
         &self.pieces[self.piece(station)]
     }

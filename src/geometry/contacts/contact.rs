@@ -22,7 +22,6 @@ pub struct Contact<T = f64> {
 
 impl<T: Real> Contact<T> {
     /// The same without derivatives.
-    #[must_use]
     pub fn value(&self) -> Contact {
         Contact {
             u: self.u.value(),
@@ -35,13 +34,11 @@ impl<T: Real> Contact<T> {
     }
 
     /// Unit vector (y, z) of the frame's normal, into the rail.
-    #[must_use]
     pub fn normal(&self) -> [T; 2] {
         [-self.tangent[1], self.tangent[0]]
     }
 
     /// Roll of the contact frame about x [rad].
-    #[must_use]
     pub fn angle(&self) -> T {
         self.tangent[1].atan2(self.tangent[0])
     }

@@ -72,7 +72,6 @@ pub struct ContactSearch {
 
 impl ContactSearch {
     /// A search for wheels with the profile `wheel`.
-    #[must_use]
     pub fn new(wheel: &Curve) -> Self {
         let mut search = Self {
             bounds: WheelBounds::default(),

@@ -39,13 +39,11 @@ const MAX_OPPOSITE_STEPS: usize = 24;
 
 impl<'a> LineSeparation<'a> {
     /// The separation in the frame of `contact`.
-    #[must_use]
     pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: Contact) -> Self {
         Self { line, rail, contact, near: [contact.rail_s, 0.0, 1.0] }
     }
 
     /// Place of the contact line at parameter `u`, from the wheel marker [m].
-    #[must_use]
     pub fn centre(&self, u: f64) -> f64 {
         self.line.at(u).x
     }
@@ -121,7 +119,6 @@ impl<'a> LineSeparation<'a> {
     }
 
     /// Parameter of the rail's curve opposite to the last point that had a finite separation [m].
-    #[must_use]
     pub fn last_rail_parameter(&self) -> f64 {
         self.near[0]
     }

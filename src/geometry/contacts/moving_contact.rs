@@ -54,7 +54,6 @@ pub fn moving_place<T: Real>(
 impl Contact {
     /// The contact as it moves with `line`; nothing where it is no place of parallel lines, which
     /// it is not where a body ends in it.
-    #[must_use]
     pub fn moving<T: Real>(
         &self,
         line: &ContactLine<T>,

@@ -22,7 +22,6 @@ pub struct MovingSeparation<'a, T> {
 impl<'a, T: Real> MovingSeparation<'a, T> {
     /// The separation of the moving `line`, whose values are those of `values`, in the frame of
     /// `contact`.
-    #[must_use]
     pub fn new(
         values: LineSeparation<'a>,
         line: &'a ContactLine<'a, T>,

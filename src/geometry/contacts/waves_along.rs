@@ -31,7 +31,6 @@ pub struct WavesAlong<'a> {
 impl<'a> WavesAlong<'a> {
     /// Those of the wheel with the contact line `line` and the `rail` in a `contact`, the even
     /// curvature at least the share `least` of that of the wheel; nothing where there are none.
-    #[must_use]
     pub fn of(
         line: &ContactLine,
         rail: &'a PlacedRail,

@@ -23,7 +23,6 @@ const LAST_STEP: f64 = 1e-13;
 
 impl<'a> ArcLength<'a> {
     /// Of `curve`.
-    #[must_use]
     pub fn new(curve: &'a Curve) -> Self {
         let knots: Vec<f64> = curve.knots().collect();
         let mut arcs = Self {
@@ -59,20 +58,17 @@ impl<'a> ArcLength<'a> {
     }
 
     /// Length of the whole arc [m].
-    #[must_use]
     pub fn length(&self) -> f64 {
         self.arcs.last().copied().unwrap_or(0.0)
     }
 
     /// Arc at the parameter `s` of the curve [m].
-    #[must_use]
     pub fn arc(&self, s: f64) -> f64 {
         let k = self.knots.partition_point(|&knot| knot <= s).clamp(1, self.knots.len() - 1) - 1;
         self.begin + (self.arcs[k] + self.between(self.knots[k], s))
     }
 
     /// Parameter of the curve at the arc `arc`; nothing beyond the ends of the curve [m].
-    #[must_use]
     pub fn parameter(&self, arc: f64) -> Option<f64> {
         let arc = arc - self.begin;
         if !(arc > 0.0 && arc < self.length()) {

@@ -32,7 +32,6 @@ pub struct CurvePoint<T = f64> {
 }
 
 impl<T: Real> CurvePoint<T> {
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn of([point, first, second]: [[T; 2]; 3]) -> Self {
         Self { point, first, second }
@@ -40,7 +39,6 @@ impl<T: Real> CurvePoint<T> {
 
     /// Curvature (y' z'' - z' y'')/|(y', z')|³: positive where the curve turns towards positive z,
     /// as a rail head does seen along growing y [1/m].
-    #[must_use]
     pub fn curvature(&self) -> T {
         let squared = self.first[0] * self.first[0] + self.first[1] * self.first[1];
         (self.first[0] * self.second[1] - self.first[1] * self.second[0]) / squared.three_halves()
@@ -77,7 +75,6 @@ impl Curve {
     ///
     /// # Panics
     /// With fewer than two knots or parameters that do not grow: profiles are checked before.
-    #[must_use]
     pub fn through(knots: &[Knot]) -> Self {
         let mut curve = Self {
             pieces: Vec::new(),
@@ -137,20 +134,17 @@ impl Curve {
     }
 
     /// Smallest admitted parameter [m].
-    #[must_use]
     pub fn start(&self) -> f64 {
         self.start
     }
 
     /// Largest admitted parameter [m].
-    #[must_use]
     pub fn end(&self) -> f64 {
         self.end
     }
 
     /// The parameter of the range that is nearest to `s`; its start where `s` is not a number [m].
     #[inline]
-    #[must_use]
     pub fn within(&self, s: f64) -> f64 {
         let s = if s > self.start { s } else { self.start };
         if s < self.end { s } else { self.end }
@@ -158,9 +152,7 @@ impl Curve {
 
     /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
     // Taken apart where it is used: half of its callers leave out the second derivative.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
-    #[must_use]
     pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
         let p = self.piece_at(s.value());
         CurvePoint::of(s.on_cubic(p.start, &p.coefficients, std::ptr::from_ref(p).addr()))
@@ -168,7 +160,6 @@ impl Curve {
 
     /// The pieces of several parameters [m]: see [`PieceLanes::at`].
     // Inside each instruction set or not at all: a call would not be vectorised.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn pieces_at<const N: usize>(&self, s: &[f64; N]) -> PieceLanes<N> {
         let mut lanes = PieceLanes { start: [0.0; N], coefficients: [[[0.0; N]; 2]; 4] };
@@ -188,7 +179,6 @@ impl Curve {
     }
 
     /// Unit normal of the curve at `s` to its `side`: 1 for (-z', y'), -1 for the other one.
-    #[must_use]
     pub fn normal(&self, s: f64, side: f64) -> [f64; 2] {
         let [y, z] = self.at(s).first;
         let scale = side / y.hypotenuse(z);
@@ -201,7 +191,6 @@ impl Curve {
     ///
     /// # Panics
     /// With another number of ways.
-    #[must_use]
     pub fn displaced(&self, ways: &[f64], side: f64) -> Self {
         let parameters: Vec<f64> = self.knots().collect();
         assert_eq!(parameters.len(), ways.len(), "one way for each knot");
@@ -223,7 +212,6 @@ impl Curve {
     }
 
     /// Number of the piece at `s`, and how far behind its start that is [m].
-    #[must_use]
     pub(in crate::geometry) fn place(&self, s: f64) -> (usize, f64) {
         let piece = self.piece_at(s);
         let number = self.number_at(std::ptr::from_ref(piece).addr()).unwrap_or(0);
@@ -231,7 +219,6 @@ impl Curve {
     }
 
     /// Number of the piece that lies at this address, if it is one of this curve.
-    #[must_use]
     pub(crate) fn number_at(&self, address: usize) -> Option<usize> {
         let from = self.pieces.as_ptr().addr();
         let number = address.checked_sub(from)? / size_of::<Piece>();
@@ -239,7 +226,6 @@ impl Curve {
     }
 
     /// Length of piece `number` by its parameter [m].
-    #[must_use]
     pub(in crate::geometry) fn piece_length(&self, number: usize) -> f64 {
         let end = self.pieces.get(number + 1).map_or(self.end, |next| next.start);
         end - self.pieces[number].start
@@ -250,7 +236,6 @@ impl Curve {
         self.knots().zip(self.knots().skip(1)).map(|(from, to)| [from, to])
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn piece_at(&self, s: f64) -> &Piece {
         // Adding 2^52 leaves the rounded number in the low bits; maximum and minimum turn any s,
@@ -277,7 +262,6 @@ pub(in crate::geometry) struct PieceLanes<const N: usize> {
 
 impl<const N: usize> PieceLanes<N> {
     /// As [`Curve::at`] for the parameter `s` of `lane` [m].
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn at(&self, lane: usize, s: f64) -> CurvePoint {
         let mut own = [[0.0; 2]; 4];

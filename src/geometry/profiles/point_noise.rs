@@ -61,7 +61,6 @@ const SHAPE_GROWTH: f64 = 16.0;
 ///
 /// `step`: distance of two numbers that differ in their last digit [m]; 0 where there are too many
 /// digits to tell.
-#[must_use]
 pub(crate) fn noise(points: &[[f64; 2]], step: f64) -> f64 {
     let (near, far) = (differences(points, 1), differences(points, 2));
     // Quarters, so that halves overlap.
@@ -84,7 +83,6 @@ pub(crate) fn noise(points: &[[f64; 2]], step: f64) -> f64 {
 
 /// Shortest wavelength that keeps the noise of the curvature at its bound, for points at distances
 /// `spacing` with `noise` [m]; 0 where the curve through the points does.
-#[must_use]
 pub(crate) fn chosen_wavelength(spacing: impl Iterator<Item = f64>, noise: f64) -> f64 {
     let closest = (6.0 * noise / CURVATURE_NOISE).sqrt();
     let widest = spacing.filter(|&h| h < closest).fold(0.0, f64::max);
@@ -96,7 +94,6 @@ const CURVATURE_PASSED: f64 = 0.2973;
 
 /// Distance of two numbers that differ in the last digit that nine of ten of the coordinates have,
 /// in their unit; 0 where there are more than ten decimals.
-#[must_use]
 pub(crate) fn last_digit(coordinates: &[f64]) -> f64 {
     let has = |decimals: i32| {
         let is_whole = |x: f64| (x - x.round()).abs() < 1e-4;

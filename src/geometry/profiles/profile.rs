@@ -31,7 +31,6 @@ pub struct Bounds {
 
 impl Profile {
     /// Exact bounds of the curve, from its knots and the turning points between them.
-    #[must_use]
     pub fn bounds(&self) -> Bounds {
         let mut bounds =
             Bounds { y: [f64::INFINITY, f64::NEG_INFINITY], z: [f64::INFINITY, f64::NEG_INFINITY] };
@@ -45,7 +44,6 @@ impl Profile {
 
     /// Points (y, z) of the profile, by which its surface is displaced: those of its file but for
     /// what was mended and smoothed, of formulas points that are as dense [m].
-    #[must_use]
     pub fn points(&self) -> Vec<[f64; 2]> {
         self.curve.knots().map(|s| self.curve.at(s).point).collect()
     }
@@ -56,14 +54,12 @@ impl Profile {
     ///
     /// # Panics
     /// With another number of displacements than points.
-    #[must_use]
     pub fn displaced(&self, displacements: &[f64]) -> Self {
         let curve = self.curve.displaced(displacements, self.kind.outside());
         Self { curve, ..self.clone() }
     }
 
     /// Parameter of the highest point (smallest z) of the profile, the first of several [m].
-    #[must_use]
     pub fn highest(&self) -> f64 {
         let mut best = (self.curve.start(), f64::INFINITY);
         self.visit_extremes(|s, point| {

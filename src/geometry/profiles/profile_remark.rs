@@ -8,10 +8,11 @@ use crate::geometry::profiles::point_noise::CURVATURE_NOISE;
 /// in the files.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+// Fields are what the text says of them.
+#[allow(missing_docs)]
 pub enum ProfileRemark {
     /// Noise that was found in the points, and the smoothing chosen for it.
     Smoothing {
-        /// The file.
         file: String,
         /// Standard deviation of the points [m].
         noise: f64,
@@ -21,80 +22,30 @@ pub enum ProfileRemark {
         is_too_noisy: bool,
     },
     /// A line before the first point that is none.
-    LinePassedOver {
-        /// The file.
-        file: String,
-        /// The line.
-        line: usize,
-        /// What it says.
-        text: String,
-    },
+    LinePassedOver { file: String, line: usize, text: String },
     /// Points in another unit than the format or its header says.
     Unit {
-        /// The file.
         file: String,
-        /// Unit in which they were read.
         unit: &'static str,
         /// How the file would say so.
         remedy: &'static str,
     },
     /// A profile that stood on its head and was turned up.
-    MirroredZ {
-        /// The file.
-        file: String,
-        /// A line that shows it.
-        line: usize,
-        /// What shows it.
-        what: &'static str,
-        /// How to mirror in this format.
-        remedy: &'static str,
-    },
+    MirroredZ { file: String, line: usize, what: &'static str, remedy: &'static str },
     /// A wheel with its flange on the field side, turned left to right.
-    MirroredY {
-        /// The file.
-        file: String,
-        /// A line on the flange.
-        line: usize,
-        /// How to mirror in this format.
-        remedy: &'static str,
-    },
+    MirroredY { file: String, line: usize, remedy: &'static str },
     /// A rail whose middle is lower than its sides, taken as it stands.
-    Groove {
-        /// The file.
-        file: String,
-        /// A line of the middle.
-        line: usize,
-        /// How to mirror in this format.
-        remedy: &'static str,
-    },
+    Groove { file: String, line: usize, remedy: &'static str },
     /// A profile of unlikely width or with an unlikely running circle, taken as it stands.
-    Unlikely {
-        /// The file.
-        file: String,
-        /// What is unlikely, with its numbers.
-        what: String,
-        /// How to state the unit in this format.
-        remedy: &'static str,
-    },
+    Unlikely { file: String, what: String, remedy: &'static str },
     /// The same of many sections of a body that varies.
-    Repeated {
-        /// What is found in the first of them.
-        first: Box<ProfileRemark>,
-        /// In how many others besides.
-        others: usize,
-    },
+    Repeated { first: Box<ProfileRemark>, others: usize },
     /// Points at which the profile doubles back, left out.
-    PointsLeftOut {
-        /// The file.
-        file: String,
-        /// Their lines.
-        lines: Vec<usize>,
-    },
+    PointsLeftOut { file: String, lines: Vec<usize> },
 }
 
 impl ProfileRemark {
     /// Whether something was mended or is suspect, so that the file should be looked at.
-    #[must_use]
     pub fn is_warning(&self) -> bool {
         match self {
             Self::Smoothing { is_too_noisy, .. } => *is_too_noisy,

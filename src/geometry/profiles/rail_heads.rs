@@ -40,7 +40,6 @@ impl Profile {
     /// # Panics
     /// If the arcs cannot be drawn: half widths that do not grow or that an arc does not reach, or
     /// a side that ends above the last arc.
-    #[must_use]
     pub fn rail_from_arcs(
         name: &str,
         arcs: &[[f64; 2]],

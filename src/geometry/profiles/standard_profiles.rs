@@ -15,7 +15,6 @@ pub const WHEEL_NAMES: &str = "S1002, conical:TANGENT, cylindrical, arc:R (hollo
 pub const RAIL_NAMES: &str = "60E1 (UIC60), 60E2, 54E1 (UIC54), flat, arc:R";
 
 /// Names of the built-in profiles of a body, for messages.
-#[must_use]
 pub fn built_in_names(kind: ProfileKind) -> &'static str {
     match kind {
         ProfileKind::Wheel => WHEEL_NAMES,
@@ -50,26 +49,15 @@ const MM: f64 = 1e-3;
 
 // Coefficients of S1002 in millimetres, y positive to the field side, z down; lowest power first.
 const ZONE_A: [f64; 2] = [1.364_323_640, -0.066_666_667];
+#[rustfmt::skip]
 const ZONE_B: [f64; 9] = [
-    0.0,
-    -3.358_537_058e-2,
-    1.565_681_624e-3,
-    -2.810_427_944e-5,
-    5.844_240_864e-8,
-    -1.562_379_023e-8,
-    5.309_217_349e-15,
-    -5.957_839_843e-12,
-    2.646_656_573e-13,
+    0.0, -3.358_537_058e-2, 1.565_681_624e-3, -2.810_427_944e-5, 5.844_240_864e-8,
+    -1.562_379_023e-8, 5.309_217_349e-15, -5.957_839_843e-12, 2.646_656_573e-13,
 ];
+#[rustfmt::skip]
 const ZONE_C: [f64; 8] = [
-    -4.320_221_063e3,
-    -1.038_384_026e3,
-    -1.065_501_873e2,
-    -6.051_367_875,
-    -2.054_332_446e-1,
-    -4.169_739_389e-3,
-    -4.687_195_829e-5,
-    -2.252_755_540e-7,
+    -4.320_221_063e3, -1.038_384_026e3, -1.065_501_873e2, -6.051_367_875, -2.054_332_446e-1,
+    -4.169_739_389e-3, -4.687_195_829e-5, -2.252_755_540e-7,
 ];
 // Limits of the zones of S1002 [mm]. The field end is that of the 135 mm wide wheel, without its
 // chamfer.

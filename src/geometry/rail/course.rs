@@ -33,7 +33,6 @@ fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
 impl<T: Real> Course<T> {
     /// Those along rows that go by `drift` to the right and by `fall` down for each unit along the
     /// track, under a wheel whose marker is at `marker`.
-    #[must_use]
     pub fn new([drift, fall]: [T; 2], marker: [T; 3]) -> Self {
         let one = T::from(1.0);
         let level = drift * drift + 1.0;
@@ -47,7 +46,6 @@ impl<T: Real> Course<T> {
     }
 
     /// The pose of a wheel that stands at `pose` against the rail, in these axes.
-    #[must_use]
     pub fn pose(&self, pose: &WheelPose<T>) -> WheelPose<T> {
         let marker = self.place(pose.marker);
         let (sin_roll, cos_roll) = pose.roll.sin_cos();
@@ -68,7 +66,6 @@ impl<T: Real> Course<T> {
     }
 
     /// A place in these axes in the frame of the rail [m].
-    #[must_use]
     pub fn on_rail(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let [along, right, down] = self.axes;
         [0, 1, 2].map(|c| along[c] * (x + self.ahead) + right[c] * y + down[c] * z)
@@ -118,12 +115,9 @@ impl<T: Real> Course<T> {
         let way = self.across([one, p.first[0], p.first[1]]);
         [0, 1].map(|c| across[c] - way[c] * back)
     }
-}
 
-impl<T: Real> Course<T> {
     /// What the pitch of a wheel that stands at `pose` against the rail is less in these axes,
     /// where it stands at `turned` [rad].
-    #[must_use]
     pub fn pitch(&self, pose: &WheelPose<T>, turned: &WheelPose<T>) -> T {
         let [_, right, down] = self.axes;
         let (sine, cosine) = turned.roll.sin_cos();

@@ -76,7 +76,6 @@ impl PlacedRail {
     /// Places a rail with profile `curve`, leaned by `inclination` (the tangent) as a right rail
     /// towards the track centre, then `mirrored` left to right where asked for, so that its highest
     /// point lies at `marker` (y, z) of the track frame [m].
-    #[must_use]
     pub fn at_marker(curve: &Curve, inclination: f64, marker: [f64; 2], mirrored: bool) -> Self {
         // Towards the track centre is a negative turn about x for a right rail.
         let angle = -inclination.atan();
@@ -123,7 +122,6 @@ impl PlacedRail {
     /// As [`at_marker`](Self::at_marker), with the origin of the profile, about which it is
     /// inclined, at `origin` (y, z) [m]: for profiles that stand where they are in a frame of their
     /// own, and for those without a highest point of the head.
-    #[must_use]
     pub fn at_origin(curve: &Curve, inclination: f64, origin: [f64; 2], mirrored: bool) -> Self {
         let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
         let [y, z] = rail.top;
@@ -132,13 +130,11 @@ impl PlacedRail {
     }
 
     /// 1, or -1 where the rail is turned left to right [-].
-    #[must_use]
     pub fn hand(&self) -> f64 {
         self.hand
     }
 
     /// The curve in the frame of the rail marker [m].
-    #[must_use]
     pub fn curve(&self) -> &Curve {
         &self.curve
     }
@@ -160,7 +156,6 @@ impl PlacedRail {
     }
 
     /// A curve in the frame of the marker as it was before it was inclined, placed and mirrored.
-    #[must_use]
     pub fn unplaced(&self, curve: &Curve) -> Curve {
         let knots: Vec<Knot> = curve
             .knots()
@@ -183,7 +178,6 @@ impl PlacedRail {
 
     /// Point on the rail profile as given, before inclination, of a `point` in the frame of the
     /// marker [m].
-    #[must_use]
     pub fn profile_point(&self, point: [f64; 2]) -> [f64; 2] {
         self.unturned([self.hand * point[0] + self.top[0], point[1] + self.top[1]])
     }
@@ -195,7 +189,6 @@ impl PlacedRail {
     }
 
     /// A point of a profile as given in the frame of the marker [m].
-    #[must_use]
     pub fn placed_point(&self, [y, z]: [f64; 2]) -> [f64; 2] {
         let [sine, cosine] = self.inclination;
         let turned = [y * cosine - z * sine, y * sine + z * cosine];
@@ -203,7 +196,6 @@ impl PlacedRail {
     }
 
     /// A direction of a profile as given in the frame of the marker.
-    #[must_use]
     pub fn placed_direction(&self, [y, z]: [f64; 2]) -> [f64; 2] {
         let [sine, cosine] = self.inclination;
         [self.hand * (y * cosine - z * sine), y * sine + z * cosine]
@@ -256,14 +248,12 @@ impl PlacedRail {
     }
 
     /// What varies along the track, where anything does.
-    #[must_use]
     pub fn variation(&self) -> Option<&VaryingRail> {
         self.varying.as_deref()
     }
 
     /// Places on the section by their arc, which stays on the rail as a wheel moves on one that
     /// varies.
-    #[must_use]
     pub fn arcs(&self) -> ArcLength<'_> {
         let arcs = ArcLength::new(&self.curve);
         match self.variation() {
@@ -276,13 +266,11 @@ impl PlacedRail {
     }
 
     /// Distance of the marker from the axle of a roller; 0 for a rail [m].
-    #[must_use]
     pub fn roller_radius(&self) -> f64 {
         self.varying.as_ref().map_or(0.0, |varying| varying.roller_radius())
     }
 
     /// Whether the section is another one at other stations.
-    #[must_use]
     pub fn varies_along_track(&self) -> bool {
         self.varying.is_some() && self.roller_radius() == 0.0
     }
@@ -297,7 +285,6 @@ impl PlacedRail {
 
     /// The axes along the rows near the wheel that was to pass last, where these drift or rise: its
     /// outline and the wheel are seen in these.
-    #[must_use]
     pub fn course(&self) -> Option<&Course> {
         self.varying.as_ref()?.course()
     }
@@ -322,7 +309,6 @@ impl PlacedRail {
 
     /// Lateral coordinate on the rail profile as given, before inclination, of a `point` in the
     /// frame of the marker [m].
-    #[must_use]
     pub fn profile_y_of<T: Real>(&self, [y, z]: [T; 2]) -> T {
         let [sine, cosine] = self.inclination;
         if T::IS_BACKWARD {
@@ -336,26 +322,22 @@ impl PlacedRail {
     }
 
     /// Curvature at `s`, positive where the rail bulges [1/m].
-    #[must_use]
     pub fn curvature<T: Real>(&self, s: T) -> T {
         self.curve.at(s).curvature()
     }
 
     /// A parameter near the point of the rail nearest to `point`, for a search without a neighbour.
-    #[must_use]
     pub fn coarse_nearest(&self, point: [f64; 2]) -> f64 {
         self.coarse.nearest(&self.curve, point)
     }
 
     /// The point of the rail nearest to `point` [m] of all, to within `tolerance` [m].
-    #[must_use]
     pub fn nearest_of_all(&self, point: [f64; 2], tolerance: f64) -> Nearest {
         self.coarse.nearest_of_all(&self.curve, point, tolerance)
     }
 
     /// Whether a `point` lies across within what the rail's curve ends at: below the curve it is
     /// inside then.
-    #[must_use]
     pub fn is_between_ends(&self, [y, _]: [f64; 2]) -> bool {
         let [a, b] = [self.curve.start(), self.curve.end()].map(|s| self.curve.at(s).point[0]);
         y > a.min(b) && y < a.max(b)
@@ -364,7 +346,6 @@ impl PlacedRail {
     /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to
     /// within `tolerance` [m].
     #[inline]
-    #[must_use]
     pub fn nearest(&self, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {
         nearest(&self.curve, point, guess, tolerance)
     }

@@ -27,7 +27,6 @@ pub struct ByPlacement {
 
 impl PlacedRail {
     /// Whether the gauge says where it stands.
-    #[must_use]
     pub(crate) fn is_placed_by_gauge(&self) -> bool {
         matches!(self.stands, Stands::Gauge(_))
     }
@@ -36,7 +35,6 @@ impl PlacedRail {
     /// and highest point (y, z) of the inclined profile. A rail that `stays` is not placed anew
     /// when its profile changes. Those by normal displacements of the points of the profile go to
     /// `points`.
-    #[must_use]
     pub(crate) fn back_to_placement(
         &self,
         knots: &mut KnotSlopes,

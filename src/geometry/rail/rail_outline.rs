@@ -17,20 +17,17 @@ pub struct RailOutline<'a, T = f64> {
 
 impl<'a, T: Real> RailOutline<'a, T> {
     /// That of `rail` as it is.
-    #[must_use]
     pub fn at_rest(rail: &'a PlacedRail) -> Self {
         Self { rail, moving: None }
     }
 
     /// That of `rail` as it moves by `moving`, which is of a rail that varies.
-    #[must_use]
     pub fn moving(rail: &'a PlacedRail, moving: Option<&'a MovingOutline<T>>) -> Self {
         Self { rail, moving: moving.filter(|_| rail.variation().is_some()) }
     }
 
     /// Point and derivatives at parameter `s` [m], in the frame of the rail marker.
     #[inline]
-    #[must_use]
     pub fn at(&self, s: T) -> CurvePoint<T> {
         match self.moving {
             None => self.rail.curve().at(s),
@@ -39,7 +36,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
     }
 
     /// Where the wheel meets a rail that varies at parameter `s` [m]; nothing for others.
-    #[must_use]
     pub fn along(&self, s: T) -> Option<Along<T>> {
         let varying = self.rail.variation()?;
         Some(match self.moving {
@@ -51,7 +47,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
     /// Where the wheel meets a rail that varies at parameter `s`, waves of both bridged over the
     /// distance `reach` to either side of the place `x` from the wheel marker [m]; nothing for
     /// others.
-    #[must_use]
     pub fn along_bridged(&self, s: T, x: T, reach: T) -> Option<Along<T>> {
         let varying = self.rail.variation()?;
         let mut along = self.along(s)?;
@@ -81,7 +76,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
 
     /// How far ahead of the even contact line the wheel meets a rail that varies at parameter `s`;
     /// nothing for others [m].
-    #[must_use]
     pub fn ahead(&self, s: T) -> Option<T> {
         let varying = self.rail.variation()?;
         Some(match self.moving {
@@ -93,7 +87,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
     /// Speed at which the rail closes along the normal of its outline at parameter `s`, where the
     /// wheel meets it `along` the track, at `x` from the wheel marker, as the wheel goes `forward`
     /// over its slope and the arc on top of a roller is `turning` [m/s].
-    #[must_use]
     pub fn closing_speed(&self, along: &Along<T>, s: T, x: T, [forward, turning]: [T; 2]) -> T {
         let climbing = forward * (along.lean + along.gap);
         let Some(varying) = self.rail.variation().filter(|varying| varying.is_corrugated()) else {
@@ -108,7 +101,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
 
     /// From where to where a rail that varies is there at parameter `s`, from the wheel marker [m],
     /// along the rows, as [`VaryingRail::ends`](crate::geometry::rail::varying_rail::VaryingRail::ends).
-    #[must_use]
     pub fn ends(&self, s: T) -> Option<[T; 2]> {
         let varying = self.rail.variation()?;
         let ends = varying.ends(s.value())?;
@@ -120,13 +112,11 @@ impl<'a, T: Real> RailOutline<'a, T> {
     }
 
     /// Whether the section varies along the track.
-    #[must_use]
     pub fn varies(&self) -> bool {
         self.rail.variation().is_some()
     }
 
     /// Lateral coordinate on the rail profile as given of the point with parameter `s` [m].
-    #[must_use]
     pub fn profile_y(&self, s: T) -> T {
         self.rail.profile_y_of(self.at(s).point)
     }
@@ -134,7 +124,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
     /// Radius of relative curvature along the track at parameter `s`, for a wheel whose even
     /// section has `radius`, but not less than of a curvature of `least` over that of the wheel
     /// [m].
-    #[must_use]
     pub fn radius_along(&self, radius: T, s: T, least: f64) -> T {
         let Some(along) = self.along(s) else { return radius };
         radius / along.relative(radius).at_least(least)

@@ -100,7 +100,6 @@ impl VaryingRail {
     /// above 0 the first of them goes around a roller whose axle is at station 0, and they end
     /// where a wheel leaves that. `corrugation` is the height of the rail over the station on top
     /// of that of the slices; of a roller over the arc of the marker's circle.
-    #[must_use]
     pub fn new(
         slices: &Slices,
         point: impl Fn([f64; 2]) -> [f64; 2],
@@ -139,32 +138,27 @@ impl VaryingRail {
 
     /// Station of a wheel at `x` of a track whose origin is at `origin`; the axle of a roller is at
     /// station 0, and `origin` the arc that is on its top [m].
-    #[must_use]
     pub fn station<T: Real>(&self, origin: T, x: T) -> T {
         if self.surface.roller.is_some() { x } else { origin + x }
     }
 
     /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may
     /// touch it [m].
-    #[must_use]
     pub fn range_of_roller(radius: f64) -> [f64; 2] {
         [-MAX_SHARE_OF_ROLLER * radius, MAX_SHARE_OF_ROLLER * radius]
     }
 
     /// Distance of the rail marker from the axle of a roller; 0 for a rail [m].
-    #[must_use]
     pub fn roller_radius(&self) -> f64 {
         self.surface.roller.map_or(0.0, |roller| roller.radius)
     }
 
     /// Most rows of the envelope.
-    #[must_use]
     pub fn most_knots(&self) -> usize {
         self.surface.count()
     }
 
     /// Stations of the first and the last section [m].
-    #[must_use]
     pub fn stations(&self) -> [f64; 2] {
         let places = &self.surface.rows.places;
         [places[0], places[places.len() - 1]]
@@ -188,14 +182,12 @@ impl VaryingRail {
 
     /// Axes along the rows near a wheel that stands at `pose` above `station` [m]; nothing where
     /// these do not drift or rise.
-    #[must_use]
     pub fn course_under<T: Real>(&self, pose: &WheelPose<T>, station: T) -> Option<Course<T>> {
         let line = ContactLine::new(&self.profile, self.nominal_radius, pose);
         self.courses.near(&self.surface, &line, pose, station)
     }
 
     /// The axes along the rows near the wheel that was to pass last, where these drift or rise.
-    #[must_use]
     pub fn course(&self) -> Option<&Course> {
         self.level.as_ref().map(|(_, course)| course)
     }
@@ -279,7 +271,6 @@ impl VaryingRail {
     /// Parameter of the outline that was laid last near the highest place of the pattern, and the
     /// arc of the pattern there: a place that stays on the rail, whichever rows the outline
     /// consists of [m].
-    #[must_use]
     pub fn mark(&self) -> [f64; 2] {
         let rows = self.envelope.rows().enumerate();
         let nearest = rows.min_by_key(|(_, row)| row.abs_diff(self.top));
@@ -287,13 +278,11 @@ impl VaryingRail {
     }
 
     /// The row of the outline nearest to its parameter `s` [m], where it is met.
-    #[must_use]
     pub(in crate::geometry) fn met_near(&self, s: f64) -> Option<&Met> {
         self.envelope.met_near(s)
     }
 
     /// Whether rows begin or end within reach of the wheel that passed last.
-    #[must_use]
     pub fn is_near_end(&self) -> bool {
         self.is_near_end
     }
@@ -301,7 +290,6 @@ impl VaryingRail {
     /// From where to where the row at parameter `s` of the envelope is there: places in the frame of
     /// the rail, x from the marker of the wheel that passed last, without end where it goes on to
     /// the end of the rail or is broken [m]; nothing where no row ends within reach.
-    #[must_use]
     pub fn ends(&self, s: f64) -> Option<[[f64; 3]; 2]> {
         if !self.is_near_end {
             return None;
@@ -321,13 +309,11 @@ impl VaryingRail {
 
     /// How far ahead of the even contact line the wheel that passed last meets the rail at parameter
     /// `s` of the envelope [m].
-    #[must_use]
     pub fn ahead(&self, s: f64) -> f64 {
         self.envelope.ahead(s)
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
-    #[must_use]
     pub fn along(&self, s: f64) -> Along {
         self.envelope.along(s)
     }

@@ -85,7 +85,6 @@ impl Slices {
     }
 
     /// The same `profile` at two places [m].
-    #[must_use]
     pub fn even(profile: &Profile, places: [f64; 2]) -> Self {
         let all =
             places.map(|place| Slice { place, profile: profile.clone(), features: Vec::new() });
@@ -93,14 +92,12 @@ impl Slices {
     }
 
     /// The slices.
-    #[must_use]
     pub fn slices(&self) -> &[Slice] {
         &self.all
     }
 
     /// The first profile, which the body stands by, with what was found wrong and mended in any of
     /// them.
-    #[must_use]
     pub fn first_profile(&self) -> Profile {
         let mut profile = self.all[0].profile.clone();
         let rest = profile.remarks.iter().filter(|remark| !remark.is_warning()).cloned();
@@ -125,14 +122,12 @@ impl Slices {
     }
 
     /// First and last place.
-    #[must_use]
     pub fn range(&self) -> [f64; 2] {
         [self.all[0].place, self.all[self.all.len() - 1].place]
     }
 
     /// The slices of a wheel over the angle [rad], with those that follow beyond either end if they
     /// go all around.
-    #[must_use]
     pub(in crate::geometry) fn around(&self) -> Self {
         let [first, last] = self.range();
         let widest = self.all.windows(2).map(|pair| pair[1].place - pair[0].place);

@@ -27,7 +27,6 @@ type Sample = [f64; 3];
 
 impl WaveSamples {
     /// No samples yet.
-    #[must_use]
     pub fn new() -> Self {
         Self(FixedVec::new(MOST))
     }
@@ -107,7 +106,6 @@ impl SampledWaves<'_> {
 
     /// Q at `x` for a circle of radius `radius` about `centre` [m].
     #[inline]
-    #[must_use]
     pub fn distance(&self, centre: f64, radius: f64, x: f64) -> f64 {
         let to = x - centre;
         0.5 * to * to / radius - self.height(x)[0]
@@ -128,7 +126,6 @@ impl SampledWaves<'_> {
     /// sqrt(2 r (level - Q)) at `x`, the root of the overlap by which pressure goes [m], and the
     /// slope of the rail's part of e there [-].
     #[inline]
-    #[must_use]
     pub fn depth_root(&self, centre: f64, radius: f64, level: f64, x: f64) -> (f64, f64) {
         let [height, rail_slope] = self.height(x);
         let to = x - centre;
@@ -138,7 +135,6 @@ impl SampledWaves<'_> {
 
     /// Where Q is least for a circle of radius `radius` about `centre` [m]: the lowest of the valleys
     /// that samples tell apart.
-    #[must_use]
     pub fn lowest(&self, centre: f64, radius: f64) -> f64 {
         let [first, last] = self.samples_within(centre, self.waves.reach(radius));
         let at = |i: i64| self.distance_at(centre, radius, i);

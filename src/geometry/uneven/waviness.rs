@@ -55,7 +55,6 @@ const SAMPLES_PER_WAVE: f64 = 16.0;
 
 impl Flat {
     /// Depth of a chord of `length` in a circle of `radius`, L²/(8 R) [m].
-    #[must_use]
     pub fn chord_depth(length: f64, radius: f64) -> f64 {
         length * length / (8.0 * radius)
     }
@@ -168,20 +167,17 @@ pub struct Bounds {
 impl Waviness {
     /// A surface without deviations; of a wheel, `period` is the length of its nominal rolling
     /// circle [m].
-    #[must_use]
     pub fn new(period: Option<f64>) -> Self {
         let bounds = Bounds { spacing: f64::INFINITY, ..Bounds::default() };
         Self { period, bounds, ..Self::default() }
     }
 
     /// Whether there is nothing.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.harmonics.is_empty() && self.table.is_none() && self.flat.is_none()
     }
 
     /// Bounds of value, slope and curvature.
-    #[must_use]
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
@@ -250,19 +246,17 @@ impl Waviness {
     }
 
     /// Greatest curvature between two coordinates, at most [1/m].
-    #[must_use]
     pub fn curvature_within(&self, [from, to]: [f64; 2]) -> f64 {
         let all = self.bounds.curvature;
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let beside = self.flat.filter(|flat| {
-            let away = self.from_middle(flat, middle).abs();
+            let away = self.beside_middle(flat, middle).abs();
             away > half + 0.5 * (1.0 + 2.0 * CORNER_SHARE) * flat.length
         });
         beside.map_or(all, |flat| all - flat.bounds()[1])
     }
 
     /// Value at the coordinate `c`, both [m].
-    #[must_use]
     pub fn height(&self, c: f64) -> f64 {
         let c = self.within_period(c);
         let wave =
@@ -272,7 +266,7 @@ impl Waviness {
             .table
             .as_ref()
             .map_or(0.0, |curve| curve.at(c.clamp(curve.start(), curve.end())).point[1]);
-        let flat = self.flat.map_or(0.0, |flat| flat.at(self.from_middle(&flat, c))[0]);
+        let flat = self.flat.map_or(0.0, |flat| flat.at(self.beside_middle(&flat, c))[0]);
         waves + table + flat
     }
 
@@ -282,13 +276,12 @@ impl Waviness {
     }
 
     /// How far a coordinate is from the middle of a flat [m].
-    fn from_middle(&self, flat: &Flat, c: f64) -> f64 {
+    fn beside_middle(&self, flat: &Flat, c: f64) -> f64 {
         let away = c - flat.middle;
         self.period.map_or(away, |period| away - period * (away / period).round())
     }
 
     /// Value [m], slope [-] and curvature [1/m] at the coordinate `c`, as it moves [m].
-    #[must_use]
     pub fn moving<T: Real>(&self, c: T) -> [T; 3] {
         let [value, slope, curvature] = self.at(c.value());
         if !T::HAS_SLOPES {
@@ -311,12 +304,11 @@ impl Waviness {
             let curvature = |c: f64| curve.at(c).second[1];
             if is_there { (curvature(c + PIECE) - curvature(c)) / PIECE } else { 0.0 }
         });
-        let flat = self.flat.map_or(0.0, |f| f.slope_of_curvature(self.from_middle(&f, c)));
+        let flat = self.flat.map_or(0.0, |f| f.slope_of_curvature(self.beside_middle(&f, c)));
         waves + table + flat
     }
 
     /// Value [m], slope [-] and curvature [1/m] at the coordinate `c` [m].
-    #[must_use]
     pub fn at(&self, c: f64) -> [f64; 3] {
         let c = self.within_period(c);
         let mut sum = [0.0; 3];
@@ -336,7 +328,7 @@ impl Waviness {
             }
         }
         if let Some(flat) = &self.flat {
-            for (sum, part) in sum.iter_mut().zip(flat.at(self.from_middle(flat, c))) {
+            for (sum, part) in sum.iter_mut().zip(flat.at(self.beside_middle(flat, c))) {
                 *sum += part;
             }
         }

@@ -54,7 +54,6 @@ pub struct WavySection<'a> {
 
 impl<'a> WavySection<'a> {
     /// The section of waves of `rail` and `wheel`.
-    #[must_use]
     pub fn new(rail: Waves<'a>, wheel: Waves<'a>) -> Self {
         let [r, w] = [rail, wheel].map(|waves| waves.surface.bounds());
         let highest = w.range[1] + r.range[1];
@@ -69,7 +68,6 @@ impl<'a> WavySection<'a> {
     }
 
     /// e(x) [m], its slope [-] and curvature [1/m].
-    #[must_use]
     pub fn nearness(&self, x: f64) -> [f64; 3] {
         let [rail, wheel] = self.each(x);
         [0, 1, 2].map(|i| rail[i] + wheel[i])
@@ -81,26 +79,22 @@ impl<'a> WavySection<'a> {
     }
 
     /// Height of the rail [m], its slope [-] and curvature [1/m] at `x`.
-    #[must_use]
     pub fn rail(&self, x: f64) -> [f64; 3] {
         self.waves[0].over(x)
     }
 
     /// Slopes of the rail's and of the wheel's part of e at `x` [-].
-    #[must_use]
     pub fn slopes(&self, x: f64) -> [f64; 2] {
         self.each(x).map(|[_, slope, _]| slope)
     }
 
     /// Whether the wheel has no waves.
-    #[must_use]
     pub fn is_round(&self) -> bool {
         self.waves[1].surface.is_empty()
     }
 
     /// Deviation of the wheel at `x`, and how far ahead of the axle its normal passes there, of a
     /// wheel of `nominal_radius` [m].
-    #[must_use]
     pub fn wheel(&self, x: f64, nominal_radius: f64) -> [f64; 2] {
         let [_, [value, slope, _]] = self.each(x);
         [value, slope * self.lever_per_slope(nominal_radius)]
@@ -108,21 +102,18 @@ impl<'a> WavySection<'a> {
 
     /// How far ahead of its axle the normal of a wheel of `nominal_radius` passes, over the slope of
     /// its waves [m].
-    #[must_use]
     pub fn lever_per_slope(&self, nominal_radius: f64) -> f64 {
         nominal_radius / self.waves[1].rate
     }
 
     /// Distance from the middle of a circle of radius `radius` within which all is that overlaps by
     /// `depth` [m].
-    #[must_use]
     pub fn overlapping(&self, radius: f64, depth: f64) -> f64 {
         (2.0 * radius * (depth + self.range)).sqrt()
     }
 
     /// Greatest distance from the middle of a circle of radius `radius` at which bodies can be
     /// nearest [m].
-    #[must_use]
     pub fn reach(&self, radius: f64) -> f64 {
         (2.0 * radius * self.range).sqrt().min(radius * self.slope)
     }

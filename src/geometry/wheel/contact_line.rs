@@ -110,7 +110,6 @@ pub(in crate::geometry) struct Followed<T> {
 impl<'a, T: Real> ContactLine<'a, T> {
     /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its
     /// nominal rolling circle [m].
-    #[must_use]
     pub fn new(profile: &'a Curve, nominal_radius: f64, pose: &WheelPose<T>) -> Self {
         let (sin_roll, cos_roll) = pose.roll.sin_cos();
         let (sin_yaw, cos_yaw) = pose.yaw.sin_cos();
@@ -132,20 +131,17 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// Radius of the nominal rolling circle [m].
-    #[must_use]
     pub fn nominal_radius(&self) -> f64 {
         self.nominal_radius
     }
 
     /// Range of the parameter of the line, which is that of the profile [m].
-    #[must_use]
     pub fn range(&self) -> [f64; 2] {
         [self.profile.start(), self.profile.end()]
     }
 
     /// The point at parameter `s` [m].
     #[inline]
-    #[must_use]
     pub fn at(&self, s: T) -> LinePoint<T> {
         let p = self.profile.at(s);
         let on = self.circle(&p);
@@ -156,7 +152,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
 
     /// The point at parameter `s` [m] and the derivative of its (y, z).
     #[inline]
-    #[must_use]
     pub fn with_derivative(&self, s: T) -> (LinePoint<T>, [T; 2]) {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
@@ -168,7 +163,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// The point at parameter `s` [m] with its derivatives.
-    #[must_use]
     pub(in crate::geometry) fn followed(&self, s: T) -> Followed<T> {
         let p = self.profile.at(s);
         let on = self.circle(&p);
@@ -213,7 +207,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// Place along the track of the line of a round wheel at parameter `s` [m].
-    #[must_use]
     pub fn place(&self, s: T) -> T {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
@@ -231,7 +224,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     /// The point that belongs to the profile point `p`, which is on no rim, and the derivative of
     /// its (y, z).
     // Inside each instruction set or not at all: a call would not be vectorised.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn outline_with_derivative(
         &self,
@@ -250,7 +242,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// d sin α/ds where neither bound is active.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn turning(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> T {
         if on.sine.value().abs() < MAX_SINE && p.first[0] > MIN_SLOPE_COSINE {
@@ -261,7 +252,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// Where on its rolling circle the profile point `p` belongs to the line.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn circle(&self, p: &CurvePoint<T>) -> OnCircle<T> {
         let radius = p.point[1] + self.nominal_radius;
@@ -276,7 +266,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
         OnCircle { radius, flatness, slope, sine, cosine, radial }
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn point(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> LinePoint<T> {
         let [ux, uy, uz] = self.axle;
@@ -305,7 +294,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     /// with γ the slope of the profile and κ its curvature: beside its place on the circle, a point
     /// ahead of the axle is one of another circle of a yawed wheel. On a straight wheel R = r/cos
     /// γ.
-    #[must_use]
     pub fn wheel_point(&self, s: T) -> WheelPoint<T> {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
@@ -348,7 +336,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].
-    #[must_use]
     pub fn curvature(&self, s: T) -> T {
         -self.profile.at(s).curvature()
     }
@@ -361,7 +348,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// The same line without derivatives.
-    #[must_use]
     pub fn value(&self) -> ContactLine<'a> {
         let value = |x: T| x.value();
         ContactLine {
@@ -380,7 +366,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
 
 impl<'a> ContactLine<'a> {
     /// The same line in other numbers, which do not move.
-    #[must_use]
     pub fn fixed<T: Real>(&self) -> ContactLine<'a, T> {
         ContactLine {
             profile: self.profile,
@@ -398,7 +383,6 @@ impl<'a> ContactLine<'a> {
     /// What the profile at `p` contributes to the length of the line per parameter beyond one,
     /// times [`stretch_per_factor`](Self::stretch_per_factor): a yawed outline runs fast where the
     /// profile is steep and curved [1/m].
-    #[must_use]
     pub fn stretch_factor(p: &CurvePoint) -> f64 {
         if p.first[0] <= MIN_SLOPE_COSINE {
             return 0.0;
@@ -410,7 +394,6 @@ impl<'a> ContactLine<'a> {
 
     /// Bound of the length of (y, z) of the line per parameter beyond one, over
     /// [`stretch_factor`](Self::stretch_factor) [m].
-    #[must_use]
     pub fn stretch_per_factor(&self) -> f64 {
         let least_cosine = (1.0 - MAX_SINE * MAX_SINE).sqrt();
         // No profile reaches beyond twice the nominal radius.

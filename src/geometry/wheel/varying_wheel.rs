@@ -125,7 +125,6 @@ struct Place {
 impl VaryingWheel {
     /// The wheel of `slices` over the angle [rad], of a nominal rolling circle with the radius
     /// `radius` [m].
-    #[must_use]
     pub fn new(slices: &Slices, radius: f64) -> Self {
         let [first, last] = slices.range();
         // Upside down it is as a rail: rows go to the field side over a top.
@@ -150,13 +149,11 @@ impl VaryingWheel {
     }
 
     /// Least distance of its sections along the nominal rolling circle [m].
-    #[must_use]
     pub fn spacing(&self) -> f64 {
         self.spacing
     }
 
     /// Most knots of the section of the round wheel.
-    #[must_use]
     pub fn most_knots(&self) -> usize {
         self.surface.count()
     }
@@ -177,7 +174,6 @@ impl VaryingWheel {
     }
 
     /// What its outline may be longer than its first section [m].
-    #[must_use]
     pub fn longer(&self) -> f64 {
         let (rows, count) = (&self.surface.rows, self.surface.count());
         let length = |knots: &[RowKnot]| -> f64 {
@@ -220,7 +216,6 @@ impl VaryingWheel {
     }
 
     /// What the round wheel that was laid last leaves out at parameter `s` of its section.
-    #[must_use]
     pub fn beside_round(&self, s: f64) -> BesideRound {
         let Along { ahead, curvature, drift, .. } = self.envelope.along(s);
         BesideRound { ahead, curvature, share_across: drift }

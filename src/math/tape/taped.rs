@@ -1,14 +1,12 @@
 //! A number on the tape.
 
-use std::cmp::Ordering;
-
 use super::{Entry, Look, TAPE, Tape};
-use crate::math::by_slopes::functions_by_slopes;
+use crate::math::by_slopes::{functions_by_slopes, operations_by_slopes};
 use crate::math::dual::Dual;
 use crate::math::real::{Cubic, Function, Leaf, Real};
 
 /// A value with its place on the tape of the thread.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Taped {
     /// Value.
     pub value: f64,
@@ -18,14 +16,13 @@ pub struct Taped {
 
 impl Taped {
     /// The variable with the value `value` by which derivatives are found under `leaf`.
-    #[must_use]
     pub fn leaf(value: f64, leaf: Leaf) -> Self {
         Self { value, place: leaf.0 }
     }
 
     /// A function of it with this value and derivative.
     #[inline]
-    pub(super) fn by(self, value: f64, slope: f64) -> Self {
+    fn by(self, value: f64, slope: f64) -> Self {
         if self.place == 0 {
             return Self { value, place: 0 };
         }
@@ -34,7 +31,7 @@ impl Taped {
 
     /// A function of two numbers with this value and these derivatives.
     #[inline]
-    pub(super) fn by_two(a: Self, b: Self, value: f64, by_a: f64, by_b: f64) -> Self {
+    fn by_two(a: Self, b: Self, value: f64, by_a: f64, by_b: f64) -> Self {
         if a.place == 0 {
             return b.by(value, by_b);
         }
@@ -42,6 +39,16 @@ impl Taped {
             return a.by(value, by_a);
         }
         Self { value, place: enter([a.place, b.place], [by_a, by_b]) }
+    }
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Self::by_two(self, other, self.value + other.value, 1.0, 1.0)
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        Self::by_two(self, other, self.value - other.value, 1.0, -1.0)
     }
 }
 
@@ -58,47 +65,10 @@ impl From<f64> for Taped {
     }
 }
 
-impl PartialEq for Taped {
-    #[inline]
-    fn eq(&self, other: &Self) -> bool {
-        self.value.eq(&other.value)
-    }
-}
-
-impl PartialEq<f64> for Taped {
-    #[inline]
-    fn eq(&self, other: &f64) -> bool {
-        self.value.eq(other)
-    }
-}
-
-impl PartialOrd for Taped {
-    #[inline]
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        self.value.partial_cmp(&other.value)
-    }
-}
-
-impl PartialOrd<f64> for Taped {
-    #[inline]
-    fn partial_cmp(&self, other: &f64) -> Option<Ordering> {
-        self.value.partial_cmp(other)
-    }
-}
+operations_by_slopes!(Taped);
 
 impl Real for Taped {
-    const HAS_SLOPES: bool = true;
     const IS_BACKWARD: bool = true;
-
-    #[inline]
-    fn value(self) -> f64 {
-        self.value
-    }
-
-    #[inline]
-    fn moving(value: f64, rates: Self) -> Self {
-        Self { value, ..rates }
-    }
 
     fn combined<'a>(value: f64, operands: impl Iterator<Item = (&'a Self, f64)>) -> Self {
         let place = TAPE.with_borrow_mut(|tape| tape.enter_many(operands));
@@ -165,7 +135,7 @@ impl Real for Taped {
         found.map(|found| Self::combined(found.value, numbers.iter().zip(found.slopes)))
     }
 
-    functions_by_slopes!(by, Self::by_two);
+    functions_by_slopes!();
 
     #[inline]
     fn abs(self) -> Self {

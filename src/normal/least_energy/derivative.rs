@@ -60,7 +60,6 @@ struct Gradient<T> {
 
 impl<T: Real> StripFollower<T> {
     /// With room for the solutions of a solver.
-    #[must_use]
     pub fn new(solver: &StripSolver) -> Self {
         let most = solver.lattice.nodes.capacity();
         let knots = Knots::<T>::most(most);

@@ -59,7 +59,6 @@ pub(super) struct Growths<S: Simd> {
     bend: Four<S>,
 }
 
-#[allow(clippy::inline_always)]
 impl<S: Simd> Growths<S> {
     /// For (Δx/D)² and ω.
     #[inline(always)]

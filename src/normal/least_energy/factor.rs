@@ -29,7 +29,6 @@ pub(super) struct Factor {
     solved: Vec<f64>,
 }
 
-#[allow(clippy::inline_always)]
 impl Factor {
     /// Room for so many unknowns.
     pub fn new(most: usize) -> Self {
@@ -266,7 +265,6 @@ impl KeptFactor {
 }
 
 /// `column` without the columns before, each of which comes with its factor.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn take_off<'a, S: Simd, const B: usize>(
     simd: S,

@@ -38,21 +38,18 @@ macro_rules! by_blocks {
 pub(super) use by_blocks;
 
 /// From one column of a matrix to the next, for `B` as [`by_blocks`] has it.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn stride<const B: usize>(blocks: usize) -> usize {
     if B > 0 { FEW } else { blocks.max(FEW) }
 }
 
 /// The first `B` of a column, or `count` of them for 0.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn first<const B: usize, T>(column: &[T], count: usize) -> &[T] {
     if B > 0 { &column[..B] } else { &column[..count] }
 }
 
 /// As [`first`], to be changed.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn first_mut<const B: usize, T>(column: &mut [T], count: usize) -> &mut [T] {
     if B > 0 { &mut column[..B] } else { &mut column[..count] }
@@ -95,13 +92,11 @@ pub(super) trait Simd: Copy {
     /// inlined.
     fn apart<R>(self, work: impl FnMut() -> R) -> R;
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn four(self, x: &Lanes) -> Four<Self> {
         Four { simd: self, raw: self.load(*x) }
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn splat(self, x: f64) -> Four<Self> {
         Four { simd: self, raw: self.load([x; LANES]) }
@@ -121,7 +116,6 @@ macro_rules! operation {
         impl<S: Simd> $trait for Four<S> {
             type Output = Self;
 
-            #[allow(clippy::inline_always)]
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
                 Self { raw: self.simd.$function(self.raw, other.raw), ..self }
@@ -131,7 +125,6 @@ macro_rules! operation {
         impl<S: Simd> $trait<f64> for Four<S> {
             type Output = Self;
 
-            #[allow(clippy::inline_always)]
             #[inline(always)]
             fn $function(self, other: f64) -> Self {
                 $trait::$function(self, self.simd.splat(other))
@@ -144,7 +137,17 @@ operation!(Sub sub);
 operation!(Mul mul);
 operation!(Div div);
 
-#[allow(clippy::inline_always)]
+/// Methods of [`Four`] that are an instruction each.
+macro_rules! instructions {
+    ($($(#[$doc:meta])* $function:ident($($x:ident),*);)*) => {$(
+        $(#[$doc])*
+        #[inline(always)]
+        pub fn $function(self, $($x: Self),*) -> Self {
+            self.with(self.simd.$function(self.raw, $($x.raw),*))
+        }
+    )*};
+}
+
 impl<S: Simd> Four<S> {
     #[inline(always)]
     fn with(self, raw: S::Raw) -> Self {
@@ -156,26 +159,21 @@ impl<S: Simd> Four<S> {
         self.simd.store(self.raw)
     }
 
-    /// Itself and `a` `b`.
-    #[inline(always)]
-    pub fn add_product(self, a: Self, b: Self) -> Self {
-        self.with(self.simd.add_product(self.raw, a.raw, b.raw))
-    }
-
-    /// Itself less `a` `b`.
-    #[inline(always)]
-    pub fn sub_product(self, a: Self, b: Self) -> Self {
-        self.with(self.simd.sub_product(self.raw, a.raw, b.raw))
-    }
-
-    #[inline(always)]
-    pub fn min(self, other: Self) -> Self {
-        self.with(self.simd.min(self.raw, other.raw))
-    }
-
-    #[inline(always)]
-    pub fn max(self, other: Self) -> Self {
-        self.with(self.simd.max(self.raw, other.raw))
+    instructions! {
+        /// Itself and `a` `b`.
+        add_product(a, b);
+        /// Itself less `a` `b`.
+        sub_product(a, b);
+        /// The lesser ones.
+        min(other);
+        /// The greater ones.
+        max(other);
+        /// Square roots.
+        sqrt();
+        /// Exponentials, of numbers below 700.
+        exp();
+        /// `yes` where it is less than `other`, else `no`.
+        where_less(other, yes, no);
     }
 
     /// Magnitudes.
@@ -184,27 +182,11 @@ impl<S: Simd> Four<S> {
         self.max(self.simd.splat(0.0) - self)
     }
 
-    #[inline(always)]
-    pub fn sqrt(self) -> Self {
-        self.with(self.simd.sqrt(self.raw))
-    }
-
-    #[inline(always)]
-    pub fn exp(self) -> Self {
-        self.with(self.simd.exp(self.raw))
-    }
-
     /// `yes` where it is `other`, else `no`.
     #[inline(always)]
     pub fn where_equal(self, other: f64, yes: Self, no: Self) -> Self {
         let other = self.simd.splat(other).raw;
         self.with(self.simd.where_equal(self.raw, other, yes.raw, no.raw))
-    }
-
-    /// `yes` where it is less than `other`, else `no`.
-    #[inline(always)]
-    pub fn where_less(self, other: Self, yes: Self, no: Self) -> Self {
-        self.with(self.simd.where_less(self.raw, other.raw, yes.raw, no.raw))
     }
 
     /// The numbers that stand before each of them, after those of `last`.
@@ -254,7 +236,20 @@ pub(super) struct Plain;
 /// Whether every processor that this is compiled for adds a product in one instruction.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
-#[allow(clippy::inline_always)]
+/// What is done in each lane.
+macro_rules! lane_by_lane {
+    ($($(#[$attribute:meta])* $function:ident($($x:ident),+) = $one:expr;)*) => {$(
+        $(#[$attribute])*
+        #[inline(always)]
+        fn $function(self, $($x: Lanes),+) -> Lanes {
+            from_fn(|i| {
+                let ($($x,)+) = ($($x[i],)+);
+                $one
+            })
+        }
+    )*};
+}
+
 impl Simd for Plain {
     type Raw = Lanes;
 
@@ -268,60 +263,20 @@ impl Simd for Plain {
         x
     }
 
-    #[inline(always)]
-    fn add(self, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| a[i] + b[i])
-    }
-
-    #[inline(always)]
-    fn sub(self, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| a[i] - b[i])
-    }
-
-    #[inline(always)]
-    fn mul(self, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| a[i] * b[i])
-    }
-
-    #[inline(always)]
-    fn div(self, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| a[i] / b[i])
-    }
-
-    #[inline(always)]
-    fn min(self, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| if a[i] < b[i] { a[i] } else { b[i] })
-    }
-
-    #[inline(always)]
-    fn max(self, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| if a[i] > b[i] { a[i] } else { b[i] })
-    }
-
-    #[inline(always)]
-    fn sqrt(self, x: Lanes) -> Lanes {
-        from_fn(|i| x[i].sqrt())
-    }
-
-    #[inline(always)]
-    fn add_product(self, c: Lanes, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| if FUSED { a[i].mul_add(b[i], c[i]) } else { c[i] + a[i] * b[i] })
-    }
-
-    #[inline(always)]
-    fn sub_product(self, c: Lanes, a: Lanes, b: Lanes) -> Lanes {
-        from_fn(|i| if FUSED { (-a[i]).mul_add(b[i], c[i]) } else { c[i] - a[i] * b[i] })
-    }
-
-    #[inline(always)]
-    #[allow(clippy::float_cmp)]
-    fn where_equal(self, a: Lanes, b: Lanes, yes: Lanes, no: Lanes) -> Lanes {
-        from_fn(|i| if a[i] == b[i] { yes[i] } else { no[i] })
-    }
-
-    #[inline(always)]
-    fn where_less(self, a: Lanes, b: Lanes, yes: Lanes, no: Lanes) -> Lanes {
-        from_fn(|i| if a[i] < b[i] { yes[i] } else { no[i] })
+    lane_by_lane! {
+        add(a, b) = a + b;
+        sub(a, b) = a - b;
+        mul(a, b) = a * b;
+        div(a, b) = a / b;
+        min(a, b) = if a < b { a } else { b };
+        max(a, b) = if a > b { a } else { b };
+        sqrt(x) = x.sqrt();
+        exp(x) = x.exp();
+        add_product(c, a, b) = if FUSED { a.mul_add(b, c) } else { c + a * b };
+        sub_product(c, a, b) = if FUSED { (-a).mul_add(b, c) } else { c - a * b };
+        #[allow(clippy::float_cmp)]
+        where_equal(a, b, yes, no) = if a == b { yes } else { no };
+        where_less(a, b, yes, no) = if a < b { yes } else { no };
     }
 
     #[inline(always)]
@@ -342,11 +297,6 @@ impl Simd for Plain {
     #[inline(always)]
     fn digits<const SHIFT: i32>(self, x: Lanes, add: [u64; LANES], mask: u64) -> [u64; LANES] {
         from_fn(|i| (x[i].to_bits() >> SHIFT).wrapping_add(add[i]) & mask)
-    }
-
-    #[inline(always)]
-    fn exp(self, x: Lanes) -> Lanes {
-        x.map(f64::exp)
     }
 
     #[inline(never)]

@@ -88,7 +88,6 @@ pub struct StripSolver {
 impl StripSolver {
     /// A solver with `strips` nodes for an overlap that is a parabola, at least [`MIN_STRIPS`]; other
     /// overlaps get them by their lobes.
-    #[must_use]
     pub fn new(strips: usize) -> Self {
         let (strips, most) = (strips.max(MIN_STRIPS), Self::most_nodes(strips));
         Self {
@@ -102,14 +101,12 @@ impl StripSolver {
     }
 
     /// Most nodes of all overlaps of a rail, of which `strips` are for a parabola.
-    #[must_use]
     pub fn most_nodes(strips: usize) -> usize {
         (MOST[0] * strips.max(MIN_STRIPS)).min(MOST[1])
     }
 
     /// Greatest displacement left of the overlap at a node that carries load, over the depth, before
     /// the last step; 0 without a problem [-].
-    #[must_use]
     pub fn residual(&self) -> f64 {
         self.newton.residual
     }

@@ -220,7 +220,6 @@ impl Hats {
     }
 
     /// Measures the pairs of all hats from the four number `from` on with the hat `one`.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn measure<S: Simd>(&self, simd: S, from: usize, one: &Hat, pairs: &mut [Pairs]) {
         for (hats, pairs) in self.fours[from..].iter().zip(pairs) {
@@ -267,7 +266,6 @@ impl Hats {
     /// Less than the potentials of the hats of four number `block` with the hat `one`, for these sums
     /// of the squares of the half lengths: those of points as far apart as the loads are in the mean
     /// of squares.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn least_potential<S: Simd>(
         &self,

@@ -26,7 +26,6 @@ pub(super) struct Potentials<S: Simd> {
 }
 
 /// Value, derivative and half of the second derivative of a cubic at `x`.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn cubic<S: Simd>(c: &[Four<S>; 4], x: Four<S>) -> [Four<S>; 3] {
     let one = c[2].add_product(c[3], x);
@@ -37,7 +36,6 @@ fn cubic<S: Simd>(c: &[Four<S>; 4], x: Four<S>) -> [Four<S>; 3] {
 }
 
 /// The coefficients of F and G at `w`, as the table has them.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn coefficients<S: Simd>(simd: S, table: &Table, pairs: &Pairs, w: Four<S>) -> [[Four<S>; 4]; 2] {
     let places = w.max(simd.splat(SMALLEST_W)).digits::<DIGITS>(pairs.row, PIECE);
@@ -48,7 +46,6 @@ fn coefficients<S: Simd>(simd: S, table: &Table, pairs: &Pairs, w: Four<S>) -> [
 }
 
 /// Four coefficients from one on.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn row(table: &Table, place: u64, from: usize) -> Lanes {
     let at = place as usize + from;
@@ -57,7 +54,6 @@ fn row(table: &Table, place: u64, from: usize) -> Lanes {
 
 /// 1/(2 h²), 1/h and what rounds the kink over t off, of four pairs of these sums of the squares, with
 /// the growth of h² by displacements where there are any.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn spacing<S: Simd, const SKEWED: bool>(
     simd: S,
@@ -77,7 +73,6 @@ fn spacing<S: Simd, const SKEWED: bool>(
 
 /// Potentials of four strips of half lengths p^½ with one of q^½, displaced ones if `SKEWED`; second
 /// derivatives are not there unless they are asked for.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn potentials<S: Simd, const SECOND: bool, const SKEWED: bool>(
     simd: S,
@@ -95,7 +90,6 @@ pub(super) fn potentials<S: Simd, const SECOND: bool, const SKEWED: bool>(
 }
 
 /// Those of strips that lie abreast.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn potentials_at<S: Simd, const SECOND: bool>(
     simd: S,
@@ -148,7 +142,6 @@ fn potentials_at<S: Simd, const SECOND: bool>(
 }
 
 /// As [`potentials`], the values alone.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn potential<S: Simd, const SKEWED: bool>(
     simd: S,

@@ -35,7 +35,7 @@ use super::shape::Knots;
 use crate::leaves::CONTACT_MODULUS;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::{Function, Real};
-use crate::normal::{Strips, Zone};
+use crate::normal::{LoadedStrip, Strips, Zone};
 
 /// Share of the mean over hats in the load per width that lengths and pressures are taken from.
 const SMOOTHING: f64 = 0.25;
@@ -116,13 +116,10 @@ impl<T: Real> Zones<T> {
             for i in begin..end {
                 // By its own load: a strip comes in without length.
                 let half_length = (self.load[i] * self.square_over_load[i]).sqrt();
-                strips.y.push(nodes[i].y);
-                strips.width.push(nodes[i].width);
-                strips.x.push(nodes[i].x);
-                strips.half_length.push(half_length);
-                let pressure = self.load[i] / half_length;
-                strips.pressure.push(pressure.scaled(2.0 / PI * contact_modulus, CONTACT_MODULUS));
-                strips.u.push(nodes[i].u);
+                let pressure = (self.load[i] / half_length)
+                    .scaled(2.0 / PI * contact_modulus, CONTACT_MODULUS);
+                let Node { y, width, x, u, .. } = nodes[i];
+                strips.push(LoadedStrip { y, width, x, half_length, pressure, u });
             }
             strips.summarise(&mut zone);
             zone.off = self.mean_off(nodes, begin, end);

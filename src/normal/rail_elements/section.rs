@@ -32,14 +32,12 @@ pub struct Row {
 
 impl Row {
     /// The normal (y, z) into the rail.
-    #[must_use]
     pub fn normal(&self) -> [f64; 2] {
         [-self.tangent[1], self.tangent[0]]
     }
 
     /// Point (y, z) at `x` from the wheel marker [m] of a wheel that overlaps the row by `overlap`
     /// [m], as if the wheel were laid flat along the row.
-    #[must_use]
     pub fn wheel_point(&self, x: f64, overlap: f64) -> [f64; 2] {
         let ahead = x - self.x;
         let depth = overlap - self.course.lift - self.course.lean * ahead;

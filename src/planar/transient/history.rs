@@ -21,7 +21,6 @@ const HEAD: usize = 10;
 
 impl History {
     /// All of it as numbers, to store: [`Self::from_numbers`] gives the same to the bit.
-    #[must_use]
     pub fn to_numbers(&self) -> Vec<f64> {
         let mut numbers = Vec::with_capacity(HEAD + self.kept.numbers());
         numbers.push(f64::from(u8::from(self.lattice.is_some())));

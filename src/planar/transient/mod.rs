@@ -87,7 +87,6 @@ const SIZES: (f64, f64) = (1e-7, 1.0);
 impl TransientContact {
     /// A contact whose elements are those of its first state: [`PlanarCase::elements`] over the
     /// extent of all zones. Later states have elements of the same size.
-    #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
@@ -108,7 +107,6 @@ impl TransientContact {
     }
 
     /// What the next step depends on.
-    #[must_use]
     pub fn history(&self) -> &History {
         &self.history
     }
@@ -120,7 +118,6 @@ impl TransientContact {
 
     /// Pressure, tractions and slip of the last step; nothing before the first, after a new history
     /// and without contact.
-    #[must_use]
     pub fn field(&self) -> Option<&TransientField> {
         self.last.as_ref()
     }

@@ -80,7 +80,6 @@ fn weights_at(ratio: f64) -> [[f64; 3]; 2] {
 }
 
 /// The numbers of the table, from those of the exact one.
-#[must_use]
 pub fn nodes(exact: &Nodes) -> Nodes {
     let mut found = Nodes { creep: Vec::new(), error: exact.error.clone(), sliding: Vec::new() };
     for i in 0..RATIOS {
@@ -146,7 +145,6 @@ impl Differences {
     ///
     /// # Panics
     /// If the file in the library has another size than the code, which a test excludes.
-    #[must_use]
     pub fn shared() -> &'static Self {
         static TABLE: UntilUnload<Differences> = UntilUnload::new();
         TABLE.get_or_init(|| {
@@ -156,13 +154,11 @@ impl Differences {
     }
 
     /// The numbers of the committed table.
-    #[must_use]
     pub fn committed_nodes() -> Option<Nodes> {
         Nodes::from_bytes(FILE)
     }
 
     /// A table of these numbers.
-    #[must_use]
     pub fn new(nodes: &Nodes) -> Self {
         let found: Vec<[Lacks; 3]> = (0..RATIOS).map(lacks_of).collect();
         let linear = [0, 1, 2].map(|nu| {

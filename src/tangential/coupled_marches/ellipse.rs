@@ -34,7 +34,6 @@ pub struct MarchedEllipse {
 
 impl MarchedEllipse {
     /// That of ln(a/b) = `log_ratio` for bodies of equal `poisson_ratio`.
-    #[must_use]
     pub fn new(log_ratio: f64, poisson_ratio: f64) -> Self {
         let bodies = Bodies::of(log_ratio);
         let problems: Vec<_> = NODES.map(|nodes| bodies.strips(nodes)).collect();

@@ -69,7 +69,6 @@ impl<const V: usize> Functions<V> {
     }
 
     /// The functions at `x` > 0.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn at<const F: bool, T: Real>(&self, x: T) -> [Four<T>; V] {
         let x = x.within(self.ends[0], self.ends[1]);

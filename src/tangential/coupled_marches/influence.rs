@@ -105,7 +105,6 @@ impl Influence {
     /// What a narrow strip does to another one at the `distance` > 0 in the direction of greater y,
     /// over its width, where their half lengths have the mean square `square`; in the other
     /// direction what is crossed has the other sign.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn narrow<const F: bool, T: Real>(
         &self,
@@ -121,7 +120,6 @@ impl Influence {
     }
 
     /// As [`narrow`](Self::narrow), of a strip of the width `width` > 0 over it.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn wide<const F: bool, T: Real>(
         &self,
@@ -144,7 +142,6 @@ impl Influence {
 
     /// What a strip of the half length `a` and the width `width` has of its own, where the band of
     /// its march ends at the distances `reach` > 0 to either side.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn own<const F: bool, T: Real>(
         &self,
@@ -189,7 +186,6 @@ impl Influence {
 
 /// Functions of the distance over A, times `factor` and as many powers of 1/A, which is `root`, as
 /// moments and coefficients have.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn scaled<const F: bool, T: Real>(
     [p, r, first, second]: &[Four<T>; 4],

@@ -65,7 +65,6 @@ pub(super) const ALONG: [Cell; CELLS] = {
 };
 
 /// Marches through some strips; `each` gets the tractions of a cell, and whether they are bounded.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn march<const F: bool, T: Real>(
     strips: &Marched<T>,

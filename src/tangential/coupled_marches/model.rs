@@ -48,7 +48,6 @@ impl Clone for CoupledMarches {
 
 impl CoupledMarches {
     /// For zones of up to `strips` strips; larger ones allocate.
-    #[must_use]
     pub fn new(strips: usize) -> Self {
         let memory =
             Memory { plain: Solver::new(strips), moving: Solver::new(strips), taped: None };
@@ -246,7 +245,7 @@ fn members<'a, T: Real>(
     loaded: LoadedZone<'a, impl RigidSlip<T> + 'a, T>,
 ) -> impl Iterator<Item = usize> + Clone + 'a {
     let zone = loaded.zone;
-    (zone.first..zone.first + zone.count).filter(move |&j| {
+    zone.range().filter(move |&j| {
         let strips = loaded.strips;
         strips.half_length[j] > 0.0
             && strips.width[j] > 0.0

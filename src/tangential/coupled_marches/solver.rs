@@ -70,7 +70,6 @@ impl<T: Real> Solver<T> {
     }
 
     /// Lays out flexibilities and pairs for bodies of this `ratio`, and marches as often as `rounds`.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn begin<const F: bool>(&mut self, ratio: &Ratio<T>, rounds: usize) {
         let influence = Influence::shared();
@@ -97,7 +96,6 @@ impl<T: Real> Solver<T> {
     }
 
     /// Marches on for some rounds.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn go_on<const F: bool>(&mut self, ratio: &Ratio<T>, rounds: usize) {
         let influence = Influence::shared();
@@ -109,7 +107,6 @@ impl<T: Real> Solver<T> {
 
     /// Gradients that all strips cause, without the share that each has in its own march, over the
     /// factor that goes with a [`Pair`].
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio<T>) {
         for state in self.states.iter_mut() {
@@ -141,7 +138,6 @@ impl<T: Real> Solver<T> {
 
     /// Marches through all strips; `each` gets the number of the first of some strips, a cell, their
     /// tractions there and whether they slip.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn march_all<const F: bool>(
         &mut self,
@@ -177,14 +173,12 @@ impl<T: Real> Solver<T> {
 ///
 /// over its width, a the own half length. It only has to be close: what is felt exactly comes in from
 /// round to round. Zones beside each other are felt as much as parts of one.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn reach<T: Real>(states: &[State<T>], i: usize) -> [T; 2] {
     let own = &states[i].strip;
     [reach_over(own, &states[..i]), reach_over(own, &states[i + 1..])]
 }
 
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn reach_over<T: Real>(own: &Strip<T>, others: &[State<T>]) -> T {
     let a = own.half_length;
@@ -205,7 +199,6 @@ fn reach_over<T: Real>(own: &Strip<T>, others: &[State<T>]) -> T {
 
 /// What two strips do to each other, with `between` strips in between; stretches of one strip, which
 /// are ahead of each other, do nothing.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn pair<const F: bool, T: Real>(
     influence: &Influence,
@@ -237,7 +230,6 @@ pub type Cells = [([f64; 2], bool); CELLS];
 
 impl Solver {
     /// Solves for bodies of this Poisson's ratio; tractions of the strips taken, against their slip.
-    #[must_use]
     pub fn tractions(&mut self, poisson_ratio: f64) -> Vec<Cells> {
         self.solve(poisson_ratio);
         let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();
@@ -307,7 +299,6 @@ impl<T: Real> Solver<T> {
         self.rounds::<FUSED>(ratio, stage);
     }
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn rounds<const F: bool>(&mut self, ratio: &Ratio<T>, stage: Stage) {
         match stage {
@@ -329,7 +320,6 @@ struct Rounds<'a, T> {
 impl<T: Real> NullaryFnOnce for Rounds<'_, T> {
     type Output = ();
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn call(self) {
         self.solver.rounds::<true>(self.ratio, self.stage);

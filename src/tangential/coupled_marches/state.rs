@@ -87,7 +87,6 @@ pub(super) struct Growth<T> {
     caused: [T; 4],
 }
 
-#[allow(clippy::inline_always)]
 impl<T: Real> Moments<T> {
     fn none() -> Self {
         Self::of([T::from(0.0); 3])
@@ -112,7 +111,6 @@ impl<T: Real> Moments<T> {
 
 /// Adds the gradients that another strip causes, which lies below if `IS_BELOW`: what is crossed has
 /// the sign of its side.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn receive<const F: bool, const IS_BELOW: bool, T: Real>(
     [along, across]: &mut [Four<T>; 2],
@@ -134,20 +132,17 @@ pub(super) fn receive<const F: bool, const IS_BELOW: bool, T: Real>(
 }
 
 /// Products lane by lane.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn product<T: Real>(a: &Four<T>, b: &Four<T>) -> Four<T> {
     std::array::from_fn(|lane| a[lane] * b[lane])
 }
 
 /// Sums lane by lane.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn sum<T: Real>(a: &Four<T>, b: &Four<T>) -> Four<T> {
     std::array::from_fn(|lane| a[lane] + b[lane])
 }
 
-#[allow(clippy::inline_always)]
 impl<T: Real> Growth<T> {
     /// Constant growth and that by t and by T₂(t) with these gradients.
     #[inline(always)]
@@ -161,7 +156,6 @@ impl<T: Real> Growth<T> {
     }
 }
 
-#[allow(clippy::inline_always)]
 impl<T: Real> State<T> {
     pub fn new(strip: Strip<T>) -> Self {
         Self {

@@ -133,7 +133,6 @@ fn march_strips(
 
 /// Marches the first `N` lanes and adds to their `sums`.
 // Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn march_lanes<const N: usize>(
     input: &LaneInput<f64>,

@@ -33,21 +33,18 @@ pub type Sums = [Channels; 5];
 
 impl Coefficients {
     /// The spline at `places`.
-    #[must_use]
     pub fn value(&self, places: &[Place; 4]) -> Channels {
         let [_, n1, n2, n3] = self.counts;
         value(&self.values, [n1 * n2 * n3, n2 * n3, n3], n1.min(4), places)
     }
 
     /// The spline at `places` with its derivatives.
-    #[must_use]
     pub fn value_and_slopes(&self, places: &[Place; 4]) -> Sums {
         let [_, n1, n2, n3] = self.counts;
         value_and_slopes(&self.values, [n1 * n2 * n3, n2 * n3, n3], n1.min(4), places)
     }
 
     /// The value along the first two coordinates alone, where the others have one coefficient.
-    #[must_use]
     pub fn plane_value(&self, places: [&Place; 2]) -> Channels {
         let mut sum = [0.0; 4];
         for i in 0..4 {
@@ -64,7 +61,6 @@ impl Coefficients {
     }
 
     /// The same with derivatives; the last two are 0.
-    #[must_use]
     pub fn plane_value_and_slopes(&self, places: [&Place; 2]) -> Sums {
         let mut sums = [[0.0; 4]; 5];
         for i in 0..4 {

@@ -27,7 +27,6 @@ pub struct Direction {
 
 impl Direction {
     /// That of a vector that is not zero and whose square is neither zero nor infinite.
-    #[must_use]
     pub fn of([x, y, z]: [f64; 3]) -> Self {
         let turn = if z < 0.0 { -1.0 } else { 1.0 };
         let mirror = if x < 0.0 { -1.0 } else { 1.0 };
@@ -53,7 +52,6 @@ impl Direction {
 }
 
 /// The unit vector of two angles.
-#[must_use]
 pub fn unit_vector(elevation: f64, azimuth: f64) -> [f64; 3] {
     let across = elevation.cos();
     [elevation.sin(), across * azimuth.cos(), across * azimuth.sin()]

@@ -23,7 +23,6 @@ pub struct Ellipse {
 impl Ellipse {
     /// The ellipse with semi-axes a/b = `axis_ratio` on `elements` along and as many across, for
     /// bodies of equal `poisson_ratio`.
-    #[must_use]
     pub fn new(axis_ratio: f64, poisson_ratio: f64, elements: usize) -> Self {
         let a = axis_ratio.sqrt();
         let b = 1.0 / a;
@@ -53,14 +52,12 @@ impl Ellipse {
     }
 
     /// Elements along, and across.
-    #[must_use]
     pub fn elements(&self) -> usize {
         self.grid.along
     }
 
     /// Force and moment on the body whose creepage is given, and the share of the area that slips;
     /// `None` where the solution did not converge.
-    #[must_use]
     pub fn force(&self, creepage: [f64; 3]) -> Option<EllipseForce> {
         let found = steady_rolling(&self.grid, &self.material, &self.bound, &self.slip(creepage));
         let tractions = found.x.iter().zip(&found.y).map(|(x, y)| [*x, *y]);
@@ -75,7 +72,6 @@ impl Ellipse {
 
     /// The same with no elasticity: every element slides along its rigid slip.
     #[cfg(test)]
-    #[must_use]
     pub fn sliding_force(&self, creepage: [f64; 3]) -> [f64; 3] {
         let slip = self.slip(creepage);
         let tractions = self.bound.iter().zip(slip).map(|(bound, [x, y])| {

@@ -45,13 +45,11 @@ pub struct Extrapolated {
 
 impl ScaledEllipse {
     /// The ellipse of ln(a/b) = `log_ratio` for bodies of Poisson's ratio `poisson_ratio`.
-    #[must_use]
     pub fn new(log_ratio: f64, poisson_ratio: f64) -> Self {
         Self { log_ratio, scales: Scales::of(log_ratio, poisson_ratio) }
     }
 
     /// Creepages v of a direction of scaled creepage and a saturation.
-    #[must_use]
     pub fn creepage(&self, direction: [f64; 3], saturation: f64) -> [f64; 3] {
         let length = HALF * saturation / (1.0 - saturation);
         let Scales { kalker: [c11, c22, ..], spin, .. } = self.scales;
@@ -65,7 +63,6 @@ impl ScaledEllipse {
     }
 
     /// The force that has the `correction` at creepages `v` of a saturation.
-    #[must_use]
     pub fn force(&self, v: [f64; 3], saturation: f64, correction: [f64; 4]) -> [f64; 3] {
         let [linear, full] = self.limits(v);
         let left = 1.0 - saturation;
@@ -77,7 +74,6 @@ impl ScaledEllipse {
 impl EllipseNodes {
     /// The ellipse of ln(a/b) = `log_ratio` for bodies of Poisson's ratio `poisson_ratio` on square
     /// grids of `elements`.
-    #[must_use]
     pub fn new(log_ratio: f64, poisson_ratio: f64, elements: [usize; 2]) -> Self {
         Self {
             scaled: ScaledEllipse::new(log_ratio, poisson_ratio),
@@ -86,13 +82,11 @@ impl EllipseNodes {
     }
 
     /// Ellipse number `i` of a table from square grids of `elements`.
-    #[must_use]
     pub fn number(i: usize, elements: [usize; 2]) -> Self {
         Self::new(log_ratio(i), POISSON_RATIO, elements)
     }
 
     /// The force for creepages v; `None` where a solution did not converge.
-    #[must_use]
     pub fn force(&self, v: [f64; 3]) -> Option<Extrapolated> {
         let coarse = self.grids[0].force(v)?;
         let fine = self.grids[1].force(v)?;
@@ -108,14 +102,12 @@ impl EllipseNodes {
     }
 
     /// As [`ScaledEllipse::creepage`].
-    #[must_use]
     pub fn creepage(&self, direction: [f64; 3], saturation: f64) -> [f64; 3] {
         self.scaled.creepage(direction, saturation)
     }
 
     /// Correction and share of slip, and the error estimate, at node `k` of saturation `j` from 1
     /// on.
-    #[must_use]
     pub fn creep_node(&self, j: usize, k: usize) -> Option<([f64; 4], f64)> {
         let saturation = j as f64 / SATURATION_CELLS as f64;
         let direction = ring_direction(k, ELEVATION_CELLS, AZIMUTH_CELLS);
@@ -137,7 +129,6 @@ impl EllipseNodes {
     }
 
     /// Full sliding less its closed form at node `k`.
-    #[must_use]
     pub fn sliding_node(&self, k: usize) -> [f64; 3] {
         let v = ring_direction(k, SLIDING_ELEVATION_CELLS, SLIDING_AZIMUTH_CELLS);
         if k == SLIDING_RING - 1 || k.is_multiple_of(SLIDING_AZIMUTH_CELLS) {

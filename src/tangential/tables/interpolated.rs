@@ -85,13 +85,11 @@ fn signs([mirror, turn]: [f64; 2]) -> [f64; 3] {
 
 impl Query {
     /// ln(a/b) brought to rest beyond the ends of the table, and its derivative.
-    #[must_use]
     pub fn at_rest(log_ratio: f64) -> [f64; 2] {
         at_rest_beyond(log_ratio)
     }
 
     /// Nothing where creepages are so small that their squares vanish.
-    #[must_use]
     pub fn of(scales: &Scales, v: [f64; 3]) -> Option<Self> {
         let most = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         let v = if most > MAX_CREEPAGE { v.map(|v| v / most * MAX_CREEPAGE) } else { v };
@@ -116,7 +114,6 @@ fn at_rest_beyond(log_ratio: f64) -> [f64; 2] {
 
 impl Splines {
     /// The force between its `limits`.
-    #[must_use]
     pub fn between(&self, query: &Query, limits: &Limits) -> Interpolated {
         let &Query { v, scaled, log_ratio: [inside, _] } = query;
         let along = Direction::of(scaled);
@@ -155,7 +152,6 @@ impl Splines {
     }
 
     /// The same with its derivatives, and those of 1 - s, by v and ln(a/b).
-    #[must_use]
     pub fn between_with_slopes(
         &self,
         scales: &Scales,

@@ -27,13 +27,11 @@ pub const SLIDING_AZIMUTH_CELLS: usize = 48;
 pub const SPIN_BY_WIDTH: f64 = 0.3;
 
 /// A node over two angles: rings of constant elevation from the equator on, the pole last.
-#[must_use]
 pub fn ring_nodes(elevation_cells: usize, azimuth_cells: usize) -> usize {
     elevation_cells * azimuth_cells + 1
 }
 
 /// Unit vector of node `k` over two angles.
-#[must_use]
 pub fn ring_direction(k: usize, elevation_cells: usize, azimuth_cells: usize) -> [f64; 3] {
     use std::f64::consts::{FRAC_PI_2, PI};
     let (ring, step) = (k / azimuth_cells, k % azimuth_cells);
@@ -45,7 +43,6 @@ pub fn ring_direction(k: usize, elevation_cells: usize, azimuth_cells: usize) ->
 }
 
 /// ln(a/b) of ellipse `i`.
-#[must_use]
 pub fn log_ratio(i: usize) -> f64 {
     LOG_RATIO * (2.0 * i as f64 / RATIO_CELLS as f64 - 1.0)
 }
@@ -91,7 +88,6 @@ impl Nodes {
     }
 
     /// The file of these numbers; `head` is its text, lines without the sign at their beginning.
-    #[must_use]
     pub fn to_bytes(&self, head: &str) -> Vec<u8> {
         let mut bytes = Vec::new();
         for line in head.lines() {
@@ -113,7 +109,6 @@ impl Nodes {
     }
 
     /// The numbers of a file; `None` where it is of another size.
-    #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let end = bytes.windows(2).position(|pair| pair == b"\n\n")? + 2;
         let (greatest, rest) = bytes[end..].split_at_checked(4 * COLUMNS)?;

@@ -26,7 +26,6 @@ pub struct Scales {
 
 impl Scales {
     /// Scales of an ellipse of ln(a/b) = `log_ratio`.
-    #[must_use]
     pub fn of(log_ratio: f64, poisson_ratio: f64) -> Self {
         let logarithms = kalker_coefficients::logarithms(log_ratio, poisson_ratio);
         let kalker = logarithms.map(|[c, _]| c.exp());
@@ -45,7 +44,6 @@ impl Scales {
 
     /// The same scales with derivatives by ln(a/b) to which those by Poisson's ratio are added, as
     /// if the ratio, `poisson_ratio` here, grew with ln(a/b).
-    #[must_use]
     pub fn with_ratio_along(&self, poisson_ratio: f64) -> Self {
         let logarithms =
             kalker_coefficients::logarithms(self.log_ratio, Dual::<1>::variable(poisson_ratio, 0));
@@ -60,7 +58,6 @@ impl Scales {
     }
 
     /// Linear force and moment for creepages v.
-    #[must_use]
     pub fn linear(&self, [v1, v2, v3]: [f64; 3]) -> [f64; 3] {
         let [c11, c22, c23, c33] = self.kalker;
         [-c11 * v1, -c22 * v2 - c23 * v3, c23 * v2 - c33 * v3]

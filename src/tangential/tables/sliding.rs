@@ -10,7 +10,6 @@ use crate::math::real::Real;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Force and moment on the body whose creepage (ξ, η, c φ) is given; any scale of it will do.
-#[must_use]
 pub fn sliding_force(log_axis_ratio: f64, [xi, eta, phi]: [f64; 3]) -> [f64; 3] {
     let slip = xi.hypotenuse(eta);
     if phi.abs() < 1e-9 * slip {
@@ -98,7 +97,6 @@ impl Ellipse {
 
 /// A closed form near it: exact without spin, and to first order in the spin for longitudinal
 /// creepage.
-#[must_use]
 pub fn closed_form(log_axis_ratio: f64, [xi, eta, phi]: [f64; 3]) -> [f64; 3] {
     let a2 = log_axis_ratio.exp();
     let b2 = 1.0 / a2;
@@ -110,7 +108,6 @@ pub fn closed_form(log_axis_ratio: f64, [xi, eta, phi]: [f64; 3]) -> [f64; 3] {
 }
 
 /// The closed form with derivatives of each component by (ξ, η, c φ) and ln(a/b).
-#[must_use]
 pub fn closed_form_and_slopes(
     log_axis_ratio: f64,
     creepage: [f64; 3],

@@ -30,7 +30,6 @@ pub struct Splines {
 
 impl Splines {
     /// Those of `nodes`.
-    #[must_use]
     pub fn new(nodes: &Nodes) -> Self {
         let saturations = SATURATION_CELLS + 1;
         // [channel][ratio][saturation][elevation][azimuth] with elevation and azimuth as

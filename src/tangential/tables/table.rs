@@ -24,7 +24,6 @@ impl CreepForceTable {
     ///
     /// # Panics
     /// If the file in the library has another size than the code, which a test excludes.
-    #[must_use]
     pub fn shared() -> &'static Self {
         static TABLE: UntilUnload<CreepForceTable> = UntilUnload::new();
         TABLE.get_or_init(|| {
@@ -34,25 +33,21 @@ impl CreepForceTable {
     }
 
     /// A table of these numbers.
-    #[must_use]
     pub fn new(nodes: &Nodes) -> Self {
         Self { splines: Splines::new(nodes) }
     }
 
     /// The numbers of the committed table, with their error estimates.
-    #[must_use]
     pub fn committed_nodes() -> Option<Nodes> {
         Nodes::from_bytes(FILE)
     }
 
     /// Creep force of an ellipse with these `scales` for finite creepages `v`.
-    #[must_use]
     pub fn force(&self, scales: &Scales, v: [f64; 3]) -> EllipseForce {
         ForceTable::force(self, scales, v)
     }
 
     /// The same with its derivatives.
-    #[must_use]
     pub fn force_and_slopes(&self, scales: &Scales, v: [f64; 3]) -> (EllipseForce, ForceSlopes) {
         ForceTable::force_and_slopes(self, scales, v)
     }

@@ -53,7 +53,6 @@ pub fn targets(name: &str) -> Vec<f64> {
 /// 1/cos α where loads act along their own normals within an angle α of the resultant. That is 30
 /// degrees at depths up to a millimetre, many times those of heavy loads, and 60 degrees, from the
 /// flank of a flange to half way to the tread, beyond.
-#[must_use]
 pub fn most_friction(is_flat: bool, penetration: f64) -> f64 {
     if is_flat {
         return 1.0 + 1e-9;

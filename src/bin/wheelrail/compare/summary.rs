@@ -93,9 +93,6 @@ impl Summary {
     }
 
     /// As CSV.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn write(&self, table: Table) -> Result<()> {
         table.write_record(["quantity", "cases", "median", "p95", "worst"])?;
         for (name, count, values) in self.rows() {

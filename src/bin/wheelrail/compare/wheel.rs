@@ -22,9 +22,6 @@ const LOAD_ACCURACY: f64 = 1e-5;
 const MAX_HEIGHTS: usize = 30;
 
 /// Both solutions of the case `values`; profile files are looked for in `folder`.
-///
-/// # Errors
-/// The variable at fault, by its FMU name.
 pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), ContactError> {
     let Values { parameters, input, .. } = values;
     let folders = std::slice::from_ref(folder);

@@ -24,9 +24,6 @@ const STEPS: usize = 4000;
 
 impl BodyProfile {
     /// That of rail number `rail`, from 1, or of the wheel; files lie in `folder`.
-    ///
-    /// # Errors
-    /// A value that is refused, or that there is no such rail.
     pub fn of(values: &Values, rail: Option<i32>, folder: &Path) -> Result<Self> {
         let folders = [PathBuf::from(folder)];
         let element = Element::new(&values.parameters, &values.input, &folders)?;
@@ -52,9 +49,6 @@ impl BodyProfile {
     }
 
     /// Whether another row has the same profile.
-    ///
-    /// # Errors
-    /// If not, with both names.
     pub fn check(&self, parameters: &Parameters) -> Result<()> {
         let (name, smoothing) = named(parameters, self.rail);
         if name != self.name || smoothing.to_bits() != self.smoothing.to_bits() {
@@ -64,9 +58,6 @@ impl BodyProfile {
     }
 
     /// Places along the profile in steps of about `step`, the origin among them [m].
-    ///
-    /// # Errors
-    /// If they are more than `most`.
     pub fn arcs(&self, step: f64, most: f64) -> Result<Vec<f64>> {
         let [first, last] =
             [self.curve.start(), self.curve.end()].map(|s| ((s - self.origin) / step).trunc());

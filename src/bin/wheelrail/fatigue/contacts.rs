@@ -34,9 +34,6 @@ impl Found {
 }
 
 /// What the contact of a planar problem does.
-///
-/// # Errors
-/// A value that is refused.
 pub fn of_planar(
     row: usize,
     case: &PlanarCase<'_>,
@@ -51,9 +48,6 @@ pub fn of_planar(
 }
 
 /// What the contacts of a wheel on rails do, the deepest first; files lie in `folder`.
-///
-/// # Errors
-/// A value that is refused.
 pub fn at_wheel(
     row: usize,
     values: &Values,
@@ -76,9 +70,6 @@ pub fn at_wheel(
 }
 
 /// Writes a row for each contact to standard output.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn write(all: &[Found]) -> Result<()> {
     let table = output::table(None)?;
     table.write_record([

@@ -16,9 +16,6 @@ const POINTS: usize = 2000;
 
 /// Draws the figure of the right wheel, `half_axle` [m] from the middle of the axle, into the file
 /// `path`, for a run from `station` on [m].
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(
     path: &Path,
     title: &str,

@@ -20,9 +20,6 @@ pub struct Axes<'a> {
 
 impl Axes<'_> {
     /// Draws both axes and the lines of the grid at their labels.
-    ///
-    /// # Errors
-    /// If drawing fails.
     pub fn draw(self, chart: &mut Chart<'_, '_>) -> Result<()> {
         let [x, y] = self.titles;
         let mut mesh = chart.configure_mesh();

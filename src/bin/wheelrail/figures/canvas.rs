@@ -48,9 +48,6 @@ pub fn heading(size: u32) -> TextStyle<'static> {
 }
 
 /// What `draw` draws on an area `size` pixels wide and high, as SVG.
-///
-/// # Errors
-/// If drawing fails.
 pub fn svg(size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()>) -> Result<String> {
     let mut svg = String::new();
     {

@@ -12,9 +12,6 @@ use super::{range_of, save};
 const SIZE: (u32, u32) = (1100, 480);
 
 /// Draws the points (y, Δr) [m] and (amplitude [m], conicity) into the file `path`.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(
     path: &Path,
     title: &str,

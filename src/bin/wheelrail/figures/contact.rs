@@ -49,9 +49,6 @@ pub struct Figure {
 
 impl Figure {
     /// Draws the figure into the file `path`.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn draw(&self, path: &Path) -> Result<()> {
         let profiles = if self.contacts.is_empty() { 0 } else { PROFILES };
         let panels = Panels::new(&self.sides, (WIDTH - SCALE) / 2);

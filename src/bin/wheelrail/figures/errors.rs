@@ -26,9 +26,6 @@ const TITLES: [&str; 4] =
     ["Normal force [%]", "Greatest pressure [%]", "Area [%]", "Creep force [% of friction limit]"];
 
 /// Draws the errors of `models` into the file `path`; `abscissa` names what they are drawn over.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(path: &Path, models: &str, abscissa: &str, lines: &[Line]) -> Result<()> {
     let named = if lines.len() > 1 { lines } else { &[] };
     let rows = (named.len() as u32).div_ceil(LEGEND.1);

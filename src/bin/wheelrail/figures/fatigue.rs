@@ -45,9 +45,6 @@ pub struct Mapped<'a> {
 
 impl Figure<'_> {
     /// Draws the figure into the file `path`.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn draw(&self, path: &Path) -> Result<()> {
         let height = HEIGHTS[0] + if self.mapped.is_some() { HEIGHTS[1] } else { 0 };
         save(path, (WIDTH, height), |area| {

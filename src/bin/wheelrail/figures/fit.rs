@@ -25,9 +25,6 @@ pub struct Curve {
 }
 
 /// Draws points and lines of all curves into the file `path`.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(path: &Path, curves: &[Curve]) -> Result<()> {
     save(path, SIZE, |area| {
         let (area, legend) = area.split_horizontally(px(SIZE.0 - LEGEND.0));

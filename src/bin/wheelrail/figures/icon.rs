@@ -43,9 +43,6 @@ impl Scale {
 }
 
 /// The icon as PNG.
-///
-/// # Errors
-/// If it cannot be drawn.
 pub fn png(figure: &Figure) -> Result<Vec<u8>> {
     let mut picture =
         Pixmap::new(SIZE[0] as u32, SIZE[1] as u32).context("no icon can be drawn")?;

@@ -29,9 +29,6 @@ use crate::output;
 use crate::wheelset::track::Track;
 
 /// Draws into the file `path`, `size` pixels wide and high.
-///
-/// # Errors
-/// If drawing fails or the file cannot be written.
 fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()>) -> Result<()> {
     let svg = canvas::svg(size, |area| draw(&area.margin(px(8), 0, 0, 0)))
         .with_context(|| format!("cannot draw {}", path.display()))?;
@@ -87,51 +84,5 @@ mod tests {
         assert!(range.start < 3.0 && range.end > 3.0);
         let range = range_of([0.0, 10.0].into_iter(), 1.0);
         assert!(range.start < 0.0 && range.end > 10.0);
-    }
-}
-
-#[cfg(test)]
-mod drawing {
-    use wheelrail::element::output::Wrench;
-
-    use super::*;
-    use crate::wheelset::body::State;
-    use crate::wheelset::record::{Patch, Record};
-    use crate::wheelset::track::RampShape;
-
-    #[test]
-    fn a_run_is_drawn_with_titles_axes_and_bands() {
-        let track =
-            Track { ramp_start: 5.0, ramp_length: 1.0, ramp: 0.005, shape: RampShape::Linear };
-        let records: Vec<Record> = (0..2000).map(|i| record(&track, 0.03 * f64::from(i))).collect();
-        let folder = tempfile::tempdir().unwrap();
-        let read = |name| std::fs::read_to_string(folder.path().join(name)).unwrap();
-        motion::draw(&folder.path().join("m.svg"), "S1002 on 60E1", &track, &records).unwrap();
-        patches::draw(&folder.path().join("p.svg"), "S1002 on 60E1", &track, &records).unwrap();
-        let (motion, patches) = (read("m.svg"), read("p.svg"));
-        assert!(motion.contains("Wheelset: S1002 on 60E1") && motion.contains("distance [m]"));
-        assert!(patches.contains("Left rail head") && patches.contains("Right wheel"));
-        assert!(patches.matches("<rect").count() > 1000, "bands are missing");
-    }
-
-    fn record(track: &Track, distance: f64) -> Record {
-        let behind = (distance - 5.5).max(0.0);
-        let wave = (-0.05 * behind).exp() * (0.7 * behind).cos();
-        let track_y = track.lateral(distance).position;
-        let y = if behind > 0.0 { 0.005 - 0.005 * wave } else { 0.0 };
-        let patch = |sign: f64| Patch {
-            normal_force: 5e4 + sign * 1e7 * (y - track_y),
-            rail_y: -0.002 + sign * 4.0 * (y - track_y),
-            wheel_y: 0.001 + sign * 5.0 * (y - track_y),
-            width: 0.012,
-            ..Patch::default()
-        };
-        Record {
-            time: distance / 15.0,
-            track_y,
-            state: State { distance, y, yaw: 0.003 * wave, ..State::default() },
-            wrenches: [Wrench::default(); 2],
-            patches: [vec![patch(1.0)], vec![patch(-1.0)]],
-        }
     }
 }

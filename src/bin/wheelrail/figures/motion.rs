@@ -26,9 +26,6 @@ pub(super) struct Series<'a> {
 }
 
 /// Draws the figure into the file `path`.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
     save(path, SIZE, |area| draw_inner(area, title, track, records))
 }

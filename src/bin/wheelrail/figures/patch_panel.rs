@@ -74,9 +74,6 @@ impl Panels {
     }
 
     /// Draws what one of the models has found.
-    ///
-    /// # Errors
-    /// If drawing fails.
     pub fn draw(&self, area: &Area<'_>, side: &Side, quantity: Quantity) -> Result<()> {
         let result = &side.result;
         let caption = match quantity {
@@ -140,9 +137,6 @@ impl Panels {
     }
 
     /// Draws what the colours of a row of panels mean.
-    ///
-    /// # Errors
-    /// If drawing fails.
     pub fn draw_scale(&self, area: &Area<'_>, quantity: Quantity) -> Result<()> {
         let margins = [FRAME[2], FRAME[3]];
         match quantity {

@@ -38,9 +38,6 @@ const VIRIDIS: [(u8, u8, u8); 9] = [
 type Position = fn(&Patch) -> f64;
 
 /// Draws the figure into the file `path`.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
     save(path, SIZE, |area| draw_inner(area, title, track, records))
 }

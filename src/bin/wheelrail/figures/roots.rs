@@ -25,9 +25,6 @@ pub struct Roots {
 }
 
 /// Draws the `roots` at each speed, and the `critical` one.
-///
-/// # Errors
-/// If the file cannot be written.
 pub fn draw(path: &Path, title: &str, roots: &[Roots], critical: Option<f64>) -> Result<()> {
     let points: Vec<[f64; 3]> = roots
         .iter()

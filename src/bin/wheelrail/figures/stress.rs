@@ -62,9 +62,6 @@ fn states(load: &SurfaceLoad, points: &[[f64; 3]]) -> Result<Vec<State>, Contact
 
 impl<'a> Figure<'a> {
     /// Computes what is drawn of `load`; none without contact.
-    ///
-    /// # Errors
-    /// If points are refused: they are too far away.
     pub fn new(title: String, load: &'a SurfaceLoad) -> Result<Option<Self>, ContactError> {
         let Some([x, y]) = load.extent() else { return Ok(None) };
         let Some(greatest) = Measure::ALL.iter().map(|m| load.greatest(*m)).collect() else {
@@ -96,9 +93,6 @@ impl<'a> Figure<'a> {
     }
 
     /// Draws the figure into the file `path`.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn draw(&self, path: &Path) -> Result<()> {
         let [along, depth] = &self.sections[0].axes;
         let [width, deep] = [along, depth].map(|axis| axis[axis.len() - 1] - axis[0]);

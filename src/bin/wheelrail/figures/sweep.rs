@@ -27,9 +27,6 @@ pub struct Curve {
 
 /// Draws panels with a title and up to six curves each into the file `path`; a dashed line stands
 /// where a curve jumps.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(path: &Path, panels: &[(String, Vec<Curve>)]) -> Result<()> {
     let size = (SIZE.0, SIZE.1 * panels.len() as u32);
     save(path, size, |area| {

@@ -26,9 +26,6 @@ pub struct WornBody {
 }
 
 /// Draws the bodies side by side into the file `path`.
-///
-/// # Errors
-/// If it cannot be written.
 pub fn draw(path: &Path, bodies: &[WornBody]) -> Result<()> {
     save(path, (COLUMN * bodies.len() as u32, HEIGHT), |area| {
         for (area, body) in area.split_evenly((1, bodies.len())).iter().zip(bodies) {

@@ -185,9 +185,6 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
 }
 
 /// Fits `parameters` to `points`; the others are those of `values`.
-///
-/// # Errors
-/// If no fit is found.
 pub fn fit(points: &Points, values: &Values, parameters: &[Parameter]) -> Result<Fit> {
     let (n, count) = (points.all.len(), parameters.len());
     let blank = Problem {

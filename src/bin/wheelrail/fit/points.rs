@@ -40,9 +40,6 @@ const STEPS: i32 = 100;
 
 impl Points {
     /// Reads `cases`; the bodies have `values` and relative `radii` along and across [m].
-    ///
-    /// # Errors
-    /// With row and column: an unknown or missing column, what is no number or not admitted.
     pub fn read(cases: &Cases, values: &Values, radii: [f64; 2]) -> Result<Self> {
         let header = cases.header();
         let known = NEEDED.iter().chain(&OTHERS);

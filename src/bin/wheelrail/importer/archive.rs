@@ -27,9 +27,6 @@ pub struct Fmu {
 
 impl Fmu {
     /// Unpacks `archive` into a temporary folder and loads its library.
-    ///
-    /// # Errors
-    /// If the archive cannot be read, has no description or no library for this platform.
     pub fn open(archive: &Path) -> Result<Self> {
         let file =
             File::open(archive).with_context(|| format!("cannot open {}", archive.display()))?;
@@ -52,7 +49,6 @@ impl Fmu {
     }
 
     /// `file:` address of the folder of resources.
-    #[must_use]
     pub fn resource_location(&self) -> String {
         let path = self.folder.path().join("resources");
         let mut address = String::from("file://");

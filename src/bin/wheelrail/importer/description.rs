@@ -46,9 +46,6 @@ pub struct ModelDescription {
 
 impl ModelDescription {
     /// Reads the text of a `modelDescription.xml`.
-    ///
-    /// # Errors
-    /// If the text is not XML, is of another FMI version or has no co-simulation part.
     pub fn parse(text: &str) -> Result<Self> {
         let mut reader = Reader::from_str(text);
         let mut description = Self::default();
@@ -74,9 +71,6 @@ impl ModelDescription {
     }
 
     /// The variable called `name`.
-    ///
-    /// # Errors
-    /// If there is none.
     pub fn variable(&self, name: &str) -> Result<&Variable> {
         self.variables.get(name).with_context(|| {
             format!(
@@ -87,9 +81,6 @@ impl ModelDescription {
     }
 
     /// Value of the item called `item` of the enumeration type `type_name`.
-    ///
-    /// # Errors
-    /// If there is no such item; the message lists those that exist.
     pub fn item(&self, type_name: &str, item: &str) -> Result<i32> {
         let items = self.enumerations.get(type_name).map_or(&[][..], Vec::as_slice);
         items.iter().find(|(name, _)| name == item).map(|&(_, value)| value).with_context(|| {

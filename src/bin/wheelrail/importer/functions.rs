@@ -50,9 +50,6 @@ macro_rules! functions {
 
         impl Functions {
             /// Looks up every function.
-            ///
-            /// # Errors
-            /// The first function that is missing.
             pub fn of(library: &Library) -> Result<Self> {
                 Ok(Self {
                     $($field: {

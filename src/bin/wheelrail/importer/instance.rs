@@ -37,9 +37,6 @@ unsafe extern "C" fn release(memory: *mut c_void) {
 
 impl<'fmu> Instance<'fmu> {
     /// Makes an instance called `name`.
-    ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
     pub fn new(fmu: &'fmu Fmu, name: &str) -> Result<Self> {
         let messages = Box::new(Messages::default());
         let callbacks = Box::new(Callbacks {
@@ -75,17 +72,11 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// Value references of the variables called `names`, in their order.
-    ///
-    /// # Errors
-    /// A name that does not exist or is not a Real.
     pub fn reals(&self, names: &[&str]) -> Result<Vec<u32>> {
         names.iter().map(|name| self.reference(name, &Kind::Real)).collect()
     }
 
     /// Value reference of the Integer called `name`.
-    ///
-    /// # Errors
-    /// If it does not exist or is not an Integer.
     pub fn integer(&self, name: &str) -> Result<u32> {
         self.reference(name, &Kind::Integer)
     }
@@ -99,9 +90,6 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// Sets the variable called `name`, of any type, from `value` as text.
-    ///
-    /// # Errors
-    /// If there is no such variable, the text is no value of its type, or the unit refuses it.
     pub fn set_text(&mut self, name: &str, value: &str) -> Result<()> {
         let variable = self.fmu.description.variable(name)?;
         let reference = [variable.value_reference];
@@ -150,9 +138,6 @@ impl<'fmu> Instance<'fmu> {
 
     /// Sets Reals by their value references.
     ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
-    ///
     /// # Panics
     /// If the numbers of references and values differ.
     pub fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<()> {
@@ -167,9 +152,6 @@ impl<'fmu> Instance<'fmu> {
 
     /// Gets Reals by their value references.
     ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
-    ///
     /// # Panics
     /// If the numbers of references and values differ.
     pub fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<()> {
@@ -183,9 +165,6 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// Gets one Integer by its value reference.
-    ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
     pub fn get_integer(&mut self, reference: u32) -> Result<i32> {
         let mut value = [0];
         // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
@@ -202,9 +181,6 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// Sets up an experiment from time 0 on and enters initialization mode.
-    ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
     pub fn initialize(&mut self) -> Result<()> {
         // SAFETY: FMI 2.0, 2.1.6: plain values; no tolerance and no stop time are defined.
         let status = unsafe {
@@ -217,9 +193,6 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// Leaves initialization mode; steps may follow.
-    ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
     pub fn start(&mut self) -> Result<()> {
         // SAFETY: FMI 2.0, 2.1.6: the instance is valid.
         let status = unsafe { (self.fmu.functions.exit_initialization_mode)(self.component) };
@@ -227,9 +200,6 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// One communication step from `time` over `step` [s].
-    ///
-    /// # Errors
-    /// If the unit does not complete it; with its messages.
     pub fn do_step(&mut self, time: f64, step: f64) -> Result<()> {
         // SAFETY: FMI 2.0, 4.2.2: plain values; steps are not taken back.
         let status = unsafe { (self.fmu.functions.do_step)(self.component, time, step, TRUE) };
@@ -237,9 +207,6 @@ impl<'fmu> Instance<'fmu> {
     }
 
     /// Ends the run.
-    ///
-    /// # Errors
-    /// If the unit refuses; with its messages.
     pub fn terminate(&mut self) -> Result<()> {
         // SAFETY: FMI 2.0, 2.1.6: the instance is valid.
         let status = unsafe { (self.fmu.functions.terminate)(self.component) };

@@ -39,9 +39,6 @@ pub struct LinearWheelset<'a> {
 
 impl LinearWheelset<'_> {
     /// The input at which the centred wheelset rolls at `speed` [m/s] without acceleration.
-    ///
-    /// # Errors
-    /// If there is none, or the element refuses something.
     pub fn equilibrium(&mut self, speed: f64) -> Result<Input> {
         let weight = self.suspension.load + self.body.mass * GRAVITY;
         let mut input = Input::default();
@@ -87,9 +84,6 @@ impl LinearWheelset<'_> {
     /// ```text
     /// m y'' = F_y,  m z'' = F_z,  I roll'' = M_x + h yaw',  I yaw'' = M_z - h roll',  I_a pitch'' = M_y
     /// ```
-    ///
-    /// # Errors
-    /// If the models have no derivatives.
     pub fn system(&mut self, at: &Input) -> Result<SystemMatrix> {
         let mut matrix = SystemMatrix::zeros();
         let Body { mass, inertia, axle_inertia, .. } = self.body;

@@ -62,10 +62,6 @@ const RESOLUTION: f64 = 1e-6;
 const COLUMNS: [&str; 5] = ["speed_m_s", "number", "growth_1_s", "frequency_hz", "damping_ratio"];
 
 /// Computes the table and, if asked for, draws the figure.
-///
-/// # Errors
-/// If an option or profile is not admitted, the models have no derivatives, there is no
-/// equilibrium, or nothing can be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
     let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];

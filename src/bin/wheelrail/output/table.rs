@@ -39,9 +39,6 @@ static HANDLER: Once = Once::new();
 
 impl Table {
     /// A table in the file `path`, or on standard output without one.
-    ///
-    /// # Errors
-    /// If the file cannot be made.
     pub fn new(path: Option<&Path>) -> Result<Self> {
         let new = |path: &Path| Draft::new(path).with_context(|| cannot_write(path));
         let draft = path.map(new).transpose()?;
@@ -67,17 +64,11 @@ impl Table {
     }
 
     /// Appends a line of cells.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn write_record(&self, cells: impl IntoIterator<Item = impl AsRef<[u8]>>) -> Result<()> {
         self.write_line(&line(cells)?)
     }
 
     /// Appends a line that has its end.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn write_line(&self, line: &[u8]) -> Result<()> {
         let mut lines = self.lines();
         lines.held_back.extend(line);
@@ -89,9 +80,6 @@ impl Table {
     }
 
     /// Writes what is left and gives the file its name.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn finish(self) -> Result<()> {
         // An interrupt comes before or after, not in between.
         let _under_way = under_way();
@@ -104,9 +92,6 @@ impl Table {
 
     /// Finishes the table if its rows were written without an error. Else the rows before the error
     /// are kept.
-    ///
-    /// # Errors
-    /// That of `result`, with where those rows are, or if the table cannot be written.
     pub fn complete(self, result: Result<()>) -> Result<()> {
         let Err(error) = result else { return self.finish() };
         let _under_way = under_way();

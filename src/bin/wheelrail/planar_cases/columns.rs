@@ -64,9 +64,6 @@ pub struct Case {
 }
 
 /// Checks that all columns are known, `others` among them, and those needed are there.
-///
-/// # Errors
-/// The column at fault.
 pub fn check(cases: &Cases, others: &[&str]) -> Result<()> {
     let variables = VARIABLE_COLUMNS.iter().map(|c| c.0);
     let known: Vec<&str> =
@@ -94,9 +91,6 @@ pub fn check(cases: &Cases, others: &[&str]) -> Result<()> {
 
 impl Case {
     /// Reads the case in `row`.
-    ///
-    /// # Errors
-    /// With row and column, what is missing or refused.
     pub fn read(cases: &Cases, row: &Row) -> Result<Self> {
         let value = |name: &str| -> Result<Option<f64>> {
             match cases.column(name) {

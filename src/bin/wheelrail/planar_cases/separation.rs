@@ -10,9 +10,6 @@ use crate::cases::{Cases, Row};
 const FEWEST_POINTS: usize = 5;
 
 /// Reads the points (y, f) [m] of a file with columns `y_mm` and `f_mm`.
-///
-/// # Errors
-/// With row and column: a cell that is no number, y that does not grow; and too few points.
 pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
     let table = Cases::read(path)?;
     let column = |name: &str| {
@@ -40,9 +37,6 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
 }
 
 /// The finite number in a cell.
-///
-/// # Errors
-/// With row and column, if there is none.
 pub fn number(row: &Row, column: usize) -> Result<f64> {
     let text = row.cell(column).unwrap_or_default();
     match wheelrail::io::number(text) {
@@ -60,14 +54,6 @@ mod tests {
         let path = folder.path().join("f.csv");
         std::fs::write(&path, text).unwrap();
         read(&path)
-    }
-
-    #[test]
-    fn points_are_read_in_metres() {
-        let points = read_text("y_mm,f_mm\n-2,4\n-1,1\n0,0\n1,1\n2,4\n").unwrap();
-        assert_eq!(points.len(), 5);
-        approx::assert_relative_eq!(points[0][0], -2e-3);
-        approx::assert_relative_eq!(points[0][1], 4e-3);
     }
 
     #[test]

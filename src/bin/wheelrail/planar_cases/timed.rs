@@ -10,9 +10,6 @@ const REPEATS: usize = 5;
 
 /// The solution and the time it took [s]: the median of five, that of the first where the models
 /// are `slow`.
-///
-/// # Errors
-/// A value that is refused, a load that cannot be carried.
 pub fn timed(case: &PlanarCase<'_>, slow: bool) -> Result<(PlanarResult, f64)> {
     let once = || -> Result<(PlanarResult, f64)> {
         let begin = Instant::now();

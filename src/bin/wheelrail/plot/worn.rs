@@ -23,9 +23,6 @@ pub struct Request<'a> {
 }
 
 /// Draws the profiles and depths.
-///
-/// # Errors
-/// With the profile that cannot be had; if a file cannot be written.
 pub fn draw(request: &Request<'_>) -> Result<()> {
     let folders = [PathBuf::from(".")];
     let mut bodies = Vec::new();

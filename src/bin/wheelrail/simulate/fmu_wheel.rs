@@ -71,9 +71,6 @@ pub struct FmuWheel<'fmu> {
 impl<'fmu> FmuWheel<'fmu> {
     /// An instance for `side` ("right" or "left"), set up by `settings`, in initialization mode,
     /// for a run that starts at `station` [m].
-    ///
-    /// # Errors
-    /// If the unit refuses a setting or is not a wheel-rail contact element.
     pub fn new(
         fmu: &'fmu Fmu,
         side: &str,
@@ -121,9 +118,6 @@ impl<'fmu> FmuWheel<'fmu> {
     }
 
     /// Height of the wheel marker at which the wheel touches, at the start position [m].
-    ///
-    /// # Errors
-    /// If the unit has no such variable.
     pub fn touching_z(&mut self) -> Result<f64> {
         let reference = self.instance.reals(&["nominal.wheel_z"])?;
         let mut value = [0.0];
@@ -132,17 +126,11 @@ impl<'fmu> FmuWheel<'fmu> {
     }
 
     /// Leaves initialization; steps follow.
-    ///
-    /// # Errors
-    /// If the unit refuses.
     pub fn start(&mut self) -> Result<()> {
         self.instance.start()
     }
 
     /// The patches of the last evaluation, heaviest first.
-    ///
-    /// # Errors
-    /// If the unit refuses.
     pub fn patches(&mut self) -> Result<Vec<Patch>> {
         let count = self.instance.get_integer(self.patch_count)?;
         let count =
@@ -174,9 +162,6 @@ impl<'fmu> FmuWheel<'fmu> {
     }
 
     /// Ends the run.
-    ///
-    /// # Errors
-    /// If the unit refuses.
     pub fn finish(&mut self) -> Result<()> {
         self.instance.terminate()
     }

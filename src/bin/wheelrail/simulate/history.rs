@@ -11,9 +11,6 @@ use crate::wheelset::record::{Patch, Record, SIDES};
 const LISTED_PATCHES: usize = 3;
 
 /// Writes `records` as a table with units in the header.
-///
-/// # Errors
-/// If the file cannot be written.
 pub fn write(path: &Path, records: &[Record]) -> Result<()> {
     let table = output::table(Some(path))?;
     table.write_record(header())?;

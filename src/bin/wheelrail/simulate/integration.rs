@@ -29,9 +29,6 @@ pub struct Run {
 }
 
 /// Runs `wheelset` from `start` in steps of `step` [s] as far as the `arguments` say.
-///
-/// # Errors
-/// If it would keep too many rows, a unit refuses its input, or the wheelset leaves the rails.
 pub fn integrate(
     wheelset: &mut Wheelset<FmuWheel<'_>>,
     start: State,

@@ -26,10 +26,6 @@ use crate::wheelset::{Moment, Wheelset};
 const SHORTEST_STEP: f64 = 1e-6;
 
 /// Runs the simulation, writes the files and prints what there is to know.
-///
-/// # Errors
-/// If an option is not admitted, the unit cannot be loaded or refuses something, or nothing can be
-/// written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     arguments.check()?;
     let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;

@@ -41,9 +41,6 @@ impl Results<'_> {
     }
 
     /// Writes a row for each output that changes.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn write(&self, destination: Option<&Path>) -> Result<()> {
         let table = output::table(destination)?;
         let columns = ["output", "unit", "largest", "roughness", "jump", "at"];
@@ -66,9 +63,6 @@ impl Results<'_> {
     }
 
     /// Writes every step.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn write_history(&self, file: &Path) -> Result<()> {
         let table = output::table(Some(file))?;
         let names = ["at"].into_iter().chain(self.outputs.iter().map(|v| v.name));
@@ -84,9 +78,6 @@ impl Results<'_> {
     }
 
     /// Draws forces along the path.
-    ///
-    /// # Errors
-    /// If it cannot be written.
     pub fn draw(&self, file: &Path) -> Result<()> {
         let curve = |swept: &Swept, output: &str, name: String| {
             let column = self.outputs.iter().position(|v| v.name == output);

@@ -71,7 +71,6 @@ pub struct Axes {
 
 impl Body {
     /// Axes of the three angles.
-    #[must_use]
     #[allow(clippy::unused_self)] // The axes are those of this body.
     pub fn axes(&self, state: &State) -> Axes {
         let (sin_roll, cos_roll) = state.roll.sin_cos();
@@ -85,7 +84,6 @@ impl Body {
 
     /// Motion of the wheel marker on the side of `sign` (right +1, left -1) at `speed` [m/s] along
     /// the track.
-    #[must_use]
     pub fn wheel_motion(&self, state: &State, speed: f64, sign: f64) -> WheelMotion {
         let axes = self.axes(state);
         let arm = axes.axle * (sign * self.half_marker_distance);

@@ -22,9 +22,6 @@ impl<W: Wheel> Wheelset<W> {
     ///
     /// The centre is at the heights `right` and `left` where the right and the left wheel would
     /// just touch [m]: on rails that do not stand alike the axle rolls until nothing turns it.
-    ///
-    /// # Errors
-    /// If there is none, or a contact element refuses its input.
     pub fn find_equilibrium(&mut self, [right, left]: [f64; 2]) -> Result<State> {
         let touching_z = 0.5 * (right + left);
         let weight = self.suspension.load + self.body.mass * super::GRAVITY;

@@ -56,9 +56,6 @@ pub enum Moment {
 /// A contact element: one wheel on its rail.
 pub trait Wheel {
     /// Force on the wheel and moment about its marker, in the track frame.
-    ///
-    /// # Errors
-    /// If the element refuses the input.
     fn wrench(&mut self, input: &WheelInput, moment: Moment) -> Result<Wrench>;
 }
 
@@ -94,9 +91,6 @@ impl<W: Wheel> Wheelset<W> {
     }
 
     /// Force of wheels, suspension and weight on each degree of freedom.
-    ///
-    /// # Errors
-    /// If a contact element refuses its input.
     pub fn force(&mut self, state: &State, moment: Moment) -> Result<GeneralizedForce> {
         let axes = self.body.axes(state);
         let mut force =
@@ -119,9 +113,6 @@ impl<W: Wheel> Wheelset<W> {
 
     /// Moves `state` from `time` over `step` [s] by the semi-implicit Euler method: forces at the
     /// start of the step give the new velocities, these the new positions.
-    ///
-    /// # Errors
-    /// If a contact element refuses its input.
     pub fn advance(&mut self, state: &mut State, time: f64, step: f64) -> Result<()> {
         let force = self.force(state, Moment::Step { time, step })?;
         self.body.advance(state, &force, self.speed, step);

@@ -11,7 +11,6 @@ pub struct Oscillation {
 
 /// The oscillation in `samples` of (distance, deviation), by at least three crossings of zero;
 /// `None` with fewer. Samples before the first and after the last crossing are not used.
-#[must_use]
 pub fn oscillation(samples: &[(f64, f64)]) -> Option<Oscillation> {
     let mut crossings: Vec<f64> = Vec::new();
     let mut peaks: Vec<f64> = Vec::new();

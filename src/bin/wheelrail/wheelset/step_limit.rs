@@ -8,9 +8,6 @@ use super::{Moment, Wheel, Wheelset};
 
 impl<W: Wheel> Wheelset<W> {
     /// Measures the limits at `state` by differences of the forces; the wheels must touch.
-    ///
-    /// # Errors
-    /// If a contact element refuses its input.
     pub fn step_limit(&mut self, state: &State) -> Result<StepLimit> {
         let (dz, dvz) = (1e-8, 1e-5);
         let creepage = 1e-7;

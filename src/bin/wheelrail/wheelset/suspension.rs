@@ -24,7 +24,6 @@ pub struct Suspension {
 impl Suspension {
     /// Force on the wheelset at `state`, the track's centre line being at `track`, at `speed`
     /// [m/s].
-    #[must_use]
     pub fn force(&self, state: &State, track: Lateral, speed: f64) -> GeneralizedForce {
         let [cx, cy, cz] = self.stiffness.map(|one| 2.0 * one);
         let [dx, dy, dz] = self.damping.map(|one| 2.0 * one);

@@ -34,7 +34,6 @@ pub struct Lateral {
 
 impl Track {
     /// The centre line at `distance` [m].
-    #[must_use]
     pub fn lateral(&self, distance: f64) -> Lateral {
         let u = (distance - self.ramp_start) / self.ramp_length;
         if u <= 0.0 {

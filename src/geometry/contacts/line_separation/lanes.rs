@@ -60,7 +60,6 @@ fn fill_blocks(
 }
 
 // Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn block(
     line: &ContactLine,

@@ -21,27 +21,23 @@ pub struct MovingOutline<T> {
 
 impl<T: Real> MovingOutline<T> {
     /// Room for an outline of `count` rows.
-    #[must_use]
     pub fn new(count: usize) -> Self {
         let (met, stand) = (FixedVec::new(count), Stand::default());
         Self { envelope: Envelope::new(count), met, stand, course: None }
     }
 
     /// Point and derivatives of the outline at parameter `s` [m].
-    #[must_use]
     pub fn at(&self, s: T) -> CurvePoint<T> {
         self.envelope.at(s)
     }
 
     /// How far ahead of the even contact line the wheel meets the rail at parameter `s` of the
     /// outline [m].
-    #[must_use]
     pub fn ahead(&self, s: T) -> T {
         self.envelope.ahead(s)
     }
 
     /// Where the wheel meets the rail at parameter `s` of the outline.
-    #[must_use]
     pub fn along(&self, s: T) -> Along<T> {
         self.envelope.along(s)
     }
@@ -53,26 +49,22 @@ impl<T: Real> MovingOutline<T> {
     }
 
     /// The axes along the rows near the wheel, where these drift or rise.
-    #[must_use]
     pub fn course(&self) -> Option<Course<T>> {
         self.course
     }
 
     /// As [`VaryingRail::bridged`], of the `rail` that this is the outline of.
-    #[must_use]
     pub fn bridged(&self, rail: &VaryingRail, point: [T; 3], reach: T) -> Option<T> {
         rail.bridged_under(&self.stand, self.course.as_ref(), point, reach)
     }
 
     /// As [`VaryingRail::waves_over`], above the `rail` that this is the outline of.
-    #[must_use]
     pub fn waves_over(&self, rail: &VaryingRail, point: [T; 3], reach: T) -> Option<T> {
         rail.waves_over_under(&self.stand, point, reach)
     }
 
     /// A place (x, y, z) of the rail, x from the wheel marker, along the rows as the wheel moves on
     /// [m].
-    #[must_use]
     pub fn passed(&self, [x, y, z]: [f64; 3]) -> T {
         let x = T::moving(x, -self.stand.station);
         self.course.map_or(x, |course| course.place([x, y.into(), z.into()])[0])

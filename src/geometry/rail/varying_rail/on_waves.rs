@@ -13,19 +13,16 @@ const RATE_REACH: f64 = 1e-3;
 
 impl VaryingRail {
     /// How far waves of rail and wheel bring both nearer to each other at most [m].
-    #[must_use]
     pub fn highest(&self) -> f64 {
         self.surface.corrugation.bounds().range[1] + self.waves.bounds().range[1]
     }
 
     /// Whether rail or wheel have waves over their even surfaces.
-    #[must_use]
     pub fn has_waves(&self) -> bool {
         self.is_corrugated() || !self.waves.is_empty()
     }
 
     /// Whether all rows are higher by a corrugation.
-    #[must_use]
     pub fn is_corrugated(&self) -> bool {
         self.surface.is_corrugated()
     }
@@ -33,14 +30,12 @@ impl VaryingRail {
     /// By how much a corrugation is more curved over the distance `reach` to either side of the
     /// point (x, y, z) than there [m], x from the marker of the wheel that passed last, y and z of
     /// the outline, positive where it bulges more [1/m]; nothing where it is as good as that.
-    #[must_use]
     pub fn bridged(&self, point: [f64; 3], reach: f64) -> Option<f64> {
         self.bridged_under(&self.stand, self.course(), point, reach)
     }
 
     /// Curvature of the waves of the wheel over the distance `reach` to either side of the same
     /// point [m], positive where they bulge [1/m]; nothing where that of the place is as good.
-    #[must_use]
     pub fn waves_over(&self, point: [f64; 3], reach: f64) -> Option<f64> {
         self.waves_over_under(&self.stand, point, reach)
     }
@@ -69,7 +64,6 @@ impl VaryingRail {
     }
 
     /// The waves of rail and wheel about the same point, over x from the marker.
-    #[must_use]
     pub fn waves_about(&self, [x, y, z]: [f64; 3]) -> WavySection<'_> {
         let about = |surface, place: &dyn Fn([f64; 3]) -> f64| {
             let [behind, here, ahead] =
@@ -110,7 +104,6 @@ impl VaryingRail {
 
     /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
     /// arc on its top grows; 0 for a rail, which lies still [-].
-    #[must_use]
     pub fn rise(&self, [x, z]: [f64; 2]) -> f64 {
         let Surface { roller, corrugation, .. } = &self.surface;
         match roller {

@@ -45,7 +45,6 @@ impl<T: Real> Along<T> {
     }
 
     /// The same in plain numbers, or as dual numbers without derivatives.
-    #[must_use]
     pub fn fixed<U: Real>(&self) -> Along<U> {
         let number = |x: T| U::from(x.value());
         Along {
@@ -62,7 +61,6 @@ impl<T: Real> Along<T> {
     }
 
     /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
-    #[must_use]
     pub fn shortening(&self) -> T {
         T::from(1.0) / (self.lean * self.lean + 1.0).three_halves()
     }
@@ -71,7 +69,6 @@ impl<T: Real> Along<T> {
     /// line has the radius `even` [m], over that of the section [-].
     ///
     /// The wheel's circle is as round along the lean as it is along the track.
-    #[must_use]
     pub fn relative(&self, even: T) -> T {
         even * (self.curvature * self.shortening() + self.bulge + self.waves) + 1.0
     }

@@ -17,20 +17,17 @@ impl<T: Real> ContactLine<'_, T> {
     }
 
     /// The round wheel that takes the place of one whose section varies around.
-    #[must_use]
     pub fn round(&self) -> Self {
         Self { around: None, ..*self }
     }
 
     /// How far ahead of the round wheel the one whose section varies around is met at parameter `s`
     /// [m].
-    #[must_use]
     pub fn ahead_of_round(&self, s: T) -> T {
         self.around.map_or(0.0, |around| around.beside_round(s.value()).ahead).into()
     }
 
     /// Whether the section of the wheel varies around.
-    #[must_use]
     pub fn varies_around(&self) -> bool {
         self.around.is_some()
     }
@@ -74,7 +71,6 @@ impl<'a> ContactLine<'a> {
     /// The surface of a wheel whose section varies around, along the radius from a place given by its
     /// parts along the axle, forward and down from the marker, sought near the parameter of the line
     /// and the depth of `guess` [m]; its normal has such parts. Nothing where it is not there.
-    #[must_use]
     pub(in crate::geometry) fn along_radius(
         &self,
         from: [f64; 3],
@@ -91,7 +87,6 @@ impl<'a> ContactLine<'a> {
     /// ahead of it and behind, along the unit `direction` into the rail, sought near the parameter
     /// and the depth of `guess`. Nothing where differences are no better than the curvature at the
     /// place itself, and where the wheel ends [1/m].
-    #[must_use]
     pub fn mean_curvature_around(
         &self,
         [own, of_round]: [f64; 2],
@@ -112,7 +107,6 @@ impl<'a> ContactLine<'a> {
     /// The surface of a wheel whose section varies around below the point (`x`, `from`), with the
     /// directions (y, z) to the right and down, sought near the parameter of the line and the depth
     /// of `guess`; nothing where it is not there.
-    #[must_use]
     pub fn wheel_below(
         &self,
         x: f64,
@@ -131,7 +125,6 @@ impl<'a> ContactLine<'a> {
     ///
     /// As it turns the wheel moves by u × r: with n along (-z_x, -z_y, 1) that is
     /// -n · (u × r)/cos ψ.
-    #[must_use]
     pub fn lever(&self, [x, y]: [f64; 2], below: &Below) -> f64 {
         let (sine, cosine) = (-self.axle[0], self.cosine);
         let [by_x, by_y] = below.slopes;
@@ -141,7 +134,6 @@ impl<'a> ContactLine<'a> {
 
     /// How far ahead of where a round wheel would be met or behind one whose section varies around
     /// may be met on an even rail [m].
-    #[must_use]
     pub fn reach_around(&self) -> f64 {
         self.around.map_or(0.0, |around| around.reach(0.0))
     }
@@ -153,7 +145,6 @@ impl<'a> ContactLine<'a> {
 
     /// Places along the track between which a wheel that is met at parameter `s` and the place `met`
     /// and overlaps a rail by up to `depth` there may do so, all [m].
-    #[must_use]
     pub fn reach(&self, s: f64, met: f64, depth: f64) -> Option<[f64; 2]> {
         let reach = self.around?.reach(depth);
         let x = met - self.ahead_of_round(s);

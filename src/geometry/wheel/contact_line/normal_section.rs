@@ -9,7 +9,6 @@ const MIN_SHARE: f64 = 0.05;
 impl<T: Real> ContactLine<'_, T> {
     /// Radius of the circles that the wheel shows the rail at parameter `s`: r, and of a yawed
     /// wheel what its section has [m].
-    #[must_use]
     pub fn circle_radius(&self, s: T) -> T {
         let wheel = self.wheel_point(s);
         if self.is_straight() {
@@ -22,7 +21,6 @@ impl<T: Real> ContactLine<'_, T> {
     }
 
     /// Component along a contact normal (y, z) of a unit of height [-].
-    #[must_use]
     pub fn share_of_height(&self, normal: [T; 2]) -> T {
         (normal[0] * self.down[0] + normal[1] * self.down[1]).at_least(MIN_SHARE)
     }

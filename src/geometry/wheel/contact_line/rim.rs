@@ -47,7 +47,6 @@ pub(super) struct Rim<'a, T> {
 
 impl<'a, T: Real> ContactLine<'a, T> {
     /// Whether at profile point `p` the line runs along a rim.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn follows_rim(&self, p: &CurvePoint<T>) -> bool {
         p.first[0] < MIN_SLOPE_COSINE && self.lead != 0.0

@@ -25,7 +25,6 @@ impl ContactLine<'_> {
     /// Where the line from the point (`x`, `from`) across the track in the unit direction
     /// `direction` (y, z) meets the wheel's surface from inside, sought near the profile parameter
     /// `s` and at the distance `depth`; nothing where it does not.
-    #[must_use]
     pub fn surface_along(
         &self,
         x: f64,
@@ -80,7 +79,6 @@ impl ContactLine<'_> {
     ///
     /// With v = y cos ψ - x sin ψ along the axle and f = x cos ψ + y sin ψ forward it is z below
     /// the axle, z² = R(v)² - f².
-    #[must_use]
     pub fn round_below(&self, x: f64, y: f64, mut s: f64) -> Option<f64> {
         let (sine, cosine) = (-self.axle[0], self.cosine);
         let (axial, forward) = (y * cosine - x * sine, x * cosine + y * sine);

@@ -24,7 +24,6 @@ impl VaryingWheel {
     /// How far to either side of where a round wheel is met this one may overlap a rail that it
     /// overlaps by `depth` at most, both [m]: all of it lies within the circle of its highest
     /// places.
-    #[must_use]
     pub fn reach(&self, depth: f64) -> f64 {
         self.reach * self.radius + (2.0 * self.radius * depth.max(0.0)).sqrt()
     }
@@ -32,7 +31,6 @@ impl VaryingWheel {
     /// Where the straight line from `from` in the unit direction `direction` meets the wheel that
     /// was laid last, sought near the parameter s of its outline and at the distance `depth`, all
     /// in coordinates from the marker along the axle, forward and down; nothing where it does not.
-    #[must_use]
     pub fn surface_along(
         &self,
         from: [f64; 3],
@@ -45,7 +43,6 @@ impl VaryingWheel {
     /// The surface below the point `from`, with the directions along the track, to the right and
     /// down, sought near the parameter s of its outline and the depth of `guess`, all as of
     /// [`surface_along`](Self::surface_along).
-    #[must_use]
     pub fn below(
         &self,
         from: [f64; 3],

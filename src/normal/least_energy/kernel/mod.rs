@@ -113,7 +113,6 @@ fn knot(knot: usize) -> f64 {
 /// Place of the first coefficient of the piece of row `row` that holds `w`; the first or the last
 /// piece outside the table.
 #[inline]
-#[must_use]
 pub(super) fn piece(row: usize, w: f64) -> usize {
     debug_assert!(row < ROWS);
     let number = (w.to_bits() >> (f64::MANTISSA_DIGITS - 1 - PIECE_BITS)) as i64 - FIRST_PIECE;
@@ -176,7 +175,6 @@ impl Kernel {
     ///
     /// # Panics
     /// If the file in the library has another size than the code, which a test excludes.
-    #[must_use]
     pub fn shared() -> &'static Self {
         static KERNEL: UntilUnload<Kernel> = UntilUnload::new();
         KERNEL.get_or_init(|| Self::from_text(FILE).expect("the table in the library is whole"))
@@ -233,7 +231,6 @@ impl Kernel {
     /// squares of their half lengths, not negative, one of them positive; `half_inverse_square`
     /// [1/m²] is 1/(2 h²) and `inverse` [1/m] 1/h, or that times what K is to be multiplied by.
     #[inline]
-    #[must_use]
     pub(super) fn value<T: Real>(
         &self,
         row: usize,

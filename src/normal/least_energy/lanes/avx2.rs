@@ -14,7 +14,16 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 const TO_EXPONENT: f64 = 6_755_399_441_055_744.0 + 1023.0;
 const MANTISSA: i32 = 52;
 
-#[allow(clippy::inline_always)]
+/// Operations that are one instruction.
+macro_rules! instructions {
+    ($($function:ident($($x:ident),+) = $set:ident.$instruction:ident($($operand:ident),+);)*) => {$(
+        #[inline(always)]
+        fn $function(self, $($x: __m256d),+) -> __m256d {
+            self.$set.$instruction($($operand),+)
+        }
+    )*};
+}
+
 impl Simd for V3 {
     type Raw = __m256d;
 
@@ -28,49 +37,16 @@ impl Simd for V3 {
         cast(x)
     }
 
-    #[inline(always)]
-    fn add(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_add_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn sub(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_sub_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn mul(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_mul_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn div(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_div_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn min(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_min_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn max(self, a: __m256d, b: __m256d) -> __m256d {
-        self.avx._mm256_max_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn sqrt(self, x: __m256d) -> __m256d {
-        self.avx._mm256_sqrt_pd(x)
-    }
-
-    #[inline(always)]
-    fn add_product(self, c: __m256d, a: __m256d, b: __m256d) -> __m256d {
-        self.fma._mm256_fmadd_pd(a, b, c)
-    }
-
-    #[inline(always)]
-    fn sub_product(self, c: __m256d, a: __m256d, b: __m256d) -> __m256d {
-        self.fma._mm256_fnmadd_pd(a, b, c)
+    instructions! {
+        add(a, b) = avx._mm256_add_pd(a, b);
+        sub(a, b) = avx._mm256_sub_pd(a, b);
+        mul(a, b) = avx._mm256_mul_pd(a, b);
+        div(a, b) = avx._mm256_div_pd(a, b);
+        min(a, b) = avx._mm256_min_pd(a, b);
+        max(a, b) = avx._mm256_max_pd(a, b);
+        sqrt(x) = avx._mm256_sqrt_pd(x);
+        add_product(c, a, b) = fma._mm256_fmadd_pd(a, b, c);
+        sub_product(c, a, b) = fma._mm256_fnmadd_pd(a, b, c);
     }
 
     #[inline(always)]
@@ -126,19 +102,11 @@ impl Simd for V3 {
     fn exp(self, x: __m256d) -> __m256d {
         const NEAREST: i32 = 8;
         // 1/12! to 1/0!.
+        #[rustfmt::skip]
         const INVERSE_FACTORIALS: [f64; 13] = [
-            1.0 / 479_001_600.0,
-            1.0 / 39_916_800.0,
-            1.0 / 3_628_800.0,
-            1.0 / 362_880.0,
-            1.0 / 40_320.0,
-            1.0 / 5_040.0,
-            1.0 / 720.0,
-            1.0 / 120.0,
-            1.0 / 24.0,
-            1.0 / 6.0,
-            0.5,
-            1.0,
+            1.0 / 479_001_600.0, 1.0 / 39_916_800.0, 1.0 / 3_628_800.0, 1.0 / 362_880.0,
+            1.0 / 40_320.0, 1.0 / 5_040.0, 1.0 / 720.0, 1.0 / 120.0,
+            1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0,
             1.0,
         ];
         let all = |x: f64| cast::<Lanes, __m256d>([x; LANES]);
@@ -165,7 +133,6 @@ pub(in super::super) struct Work<F>(pub F);
 impl<R, F: FnMut() -> R> NullaryFnOnce for Work<F> {
     type Output = R;
 
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn call(mut self) -> R {
         (self.0)()
@@ -173,7 +140,6 @@ impl<R, F: FnMut() -> R> NullaryFnOnce for Work<F> {
 }
 
 /// Two numbers and two others.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn pair(simd: V3, low: [f64; 2], high: [f64; 2]) -> __m256d {
     let low = simd.avx._mm256_castpd128_pd256(cast(low));

@@ -88,7 +88,6 @@ fn over_lobes<T: Real, const SKEWED: bool>(
 
 /// Adds what a place with such a share and something else gives to the lobes of the `places`, and
 /// raises their pedestals to what the way to it tells.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn add<T: Real, const SKEWED: bool>(
     [share, other]: [T; 2],

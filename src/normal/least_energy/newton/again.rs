@@ -5,7 +5,6 @@ use super::super::lanes::{FEW, LANES, Simd, by_blocks};
 use super::super::lattice::Lattice;
 use super::{Change, LAST_ERROR, MIN_GAIN, Newton, OLD_FACTOR};
 
-#[allow(clippy::inline_always)]
 impl Newton {
     /// Solves for the nodes of `lattice`, which are those of the last problem, moved.
     #[inline(always)]

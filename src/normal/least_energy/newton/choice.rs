@@ -4,7 +4,6 @@ use super::super::kernel::Table;
 use super::super::lanes::{LANES, Simd};
 use super::Newton;
 
-#[allow(clippy::inline_always)]
 impl Newton {
     /// Takes the nodes where the overlap is greatest around as extra ones.
     #[inline(always)]

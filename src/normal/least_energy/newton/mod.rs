@@ -109,7 +109,6 @@ macro_rules! with_simd {
     }};
 }
 
-#[allow(clippy::inline_always)]
 impl Newton {
     pub fn new(most: usize) -> Self {
         let knots = Knots::<f64>::most(most);

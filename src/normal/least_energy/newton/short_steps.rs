@@ -4,7 +4,6 @@ use super::super::kernel::Table;
 use super::super::lanes::{FEW, LANES, Lanes, Simd, by_blocks, first, first_mut};
 use super::{Change, LAST_ERROR, MIN_GAIN, MOST_SHORT, Newton, SHAPE_WEIGHT};
 
-#[allow(clippy::inline_always)]
 impl Newton {
     /// Steps with the factor of the last one, which changed by `before`; whether they came to an
     /// end. Each of them leaves about the share `gain` of what it changes. What the steps have told

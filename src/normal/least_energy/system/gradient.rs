@@ -7,14 +7,12 @@ use super::super::problem::Problem;
 use super::{Second, Sums, System, ZERO, add_product};
 
 /// Adds the sums of the numbers `of` of four nodes to `sum`.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn add_sums<S: Simd>(simd: S, sum: &mut Lanes, nodes: &[[Lanes; 3]; LANES], of: usize) {
     let [a, b, c, d] = Four::columns(simd, nodes.map(|node| node[of]));
     *sum = (simd.four(sum) + ((a + b) + (c + d))).lanes();
 }
 
-#[allow(clippy::inline_always)]
 impl System {
     /// Energy and gradient, and with `SECOND` what the Hessian consists of, at the present
     /// unknowns.

@@ -6,21 +6,18 @@ use super::super::problem::Problem;
 use super::{Second, System, ZERO};
 
 /// Column j of K + M T: four rows, from those of columns j - 1 to j + 1.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn by_load<S: Simd>(simd: S, ties: [f64; 3], [a, b, c]: [&Second; 3]) -> Four<S> {
     combine(simd, &b.value, ties, [&a.mixed, &b.mixed, &c.mixed])
 }
 
 /// As [`by_load`], of Mᵀ + S T.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn by_smooth<S: Simd>(simd: S, ties: [f64; 3], [a, b, c]: [&Second; 3]) -> Four<S> {
     combine(simd, &b.across, ties, [&a.twice, &b.twice, &c.twice])
 }
 
 /// `sum` and three columns times `factors`.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn combine<S: Simd>(simd: S, sum: &Lanes, factors: [f64; 3], columns: [&Lanes; 3]) -> Four<S> {
     simd.four(sum)
@@ -29,7 +26,6 @@ fn combine<S: Simd>(simd: S, sum: &Lanes, factors: [f64; 3], columns: [&Lanes; 3
         .add_product(simd.splat(factors[2]), simd.four(columns[2]))
 }
 
-#[allow(clippy::inline_always)]
 impl System {
     /// Adds what the second derivatives have on the diagonal, and mirrors those that the Hessian
     /// needs on both sides.

@@ -6,7 +6,6 @@ use super::super::potential::potential;
 use super::super::problem::Problem;
 use super::System;
 
-#[allow(clippy::inline_always)]
 impl System {
     /// Gradient by the load of the node that was taken as number `k`, when it was last known.
     pub fn gradient(&self, k: usize) -> f64 {

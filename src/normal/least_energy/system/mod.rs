@@ -41,7 +41,6 @@ struct Fixed {
 
 impl Fixed {
     /// T times a column, of which these are four numbers with those before and behind them.
-    #[allow(clippy::inline_always)]
     #[inline(always)]
     fn tie<S: Simd>(&self, simd: S, [before, here, behind]: [Four<S>; 3]) -> Four<S> {
         (simd.four(&self.diagonal) * here)
@@ -80,7 +79,6 @@ struct Second {
 }
 
 /// Adds `a` `b` to `sum`.
-#[allow(clippy::inline_always)]
 #[inline(always)]
 fn add_product<S: Simd>(simd: S, sum: &mut Lanes, a: Four<S>, b: Four<S>) {
     *sum = simd.four(sum).add_product(a, b).lanes();
@@ -120,7 +118,6 @@ pub(in super::super) struct System {
     pub energy: f64,
 }
 
-#[allow(clippy::inline_always)]
 impl System {
     pub fn new(most: usize) -> Self {
         let blocks = most.div_ceil(LANES).max(FEW);

@@ -9,7 +9,6 @@ use crate::math::real::Real;
 /// Times that each load is brought to rest in one step.
 const SWEEPS: usize = 4;
 
-#[allow(clippy::inline_always)]
 impl System {
     /// Improves loads and χ without second derivatives; returns the greatest change of a load per
     /// width over that of the ellipse.

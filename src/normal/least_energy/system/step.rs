@@ -5,7 +5,6 @@ use super::super::factor::Factor;
 use super::super::lanes::{Lanes, Simd, first, first_mut};
 use super::System;
 
-#[allow(clippy::inline_always)]
 impl System {
     /// Frees the loads that are positive or would grow in `free`.
     #[inline(always)]

@@ -8,9 +8,6 @@ use crate::figures::canvas::{Area, BLUE, GREEN, GRID, PURPLE, VERMILION, heading
 use crate::figures::range_of;
 
 /// Draws `lines`, each with its name, over one axis.
-///
-/// # Errors
-/// If drawing fails.
 pub fn draw_lines(
     area: &Area<'_>,
     title: &str,
