@@ -69,6 +69,12 @@ impl Element {
     ) -> Result<(), ContactError> {
         let input = self.admitted(input)?;
         self.check_models()?;
+        if self.models.uneven.is_some() {
+            // Of the parameters, on some of which places on the waves hang.
+            let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
+            let reason = "backwards they are there for bodies that are even along the track";
+            return Err(ContactError::NoDerivative { name: Some(name), reason });
+        }
         let weights = self.side.mirror(*weights);
         let mut memory = self.backwards.take().unwrap_or_else(|| self.adjoint_memory());
         let found = self.carried_at(&input).and_then(|at| {

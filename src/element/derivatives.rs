@@ -306,7 +306,7 @@ impl Element {
 
     /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor
     /// has the station of bodies that are even and have the same friction all along the track, nor
-    /// how a straight rail turns, nor a load where the height is given, nor friction that is told
+    /// how a straight rail or a wheel without waves turns, nor a load where the height is given, nor friction that is told
     /// otherwise.
     fn has_effect(&self, i: usize) -> bool {
         let has = |of: fn(&RailFriction) -> bool| {
@@ -317,7 +317,7 @@ impl Element {
         let is_roller =
             |k: usize| self.rails[k].as_ref().is_some_and(|rail| rail.rail.roller_radius() > 0.0);
         match INPUT_NAMES[i] {
-            "wheel.pitch" => false,
+            "wheel.pitch" => self.rails.iter().flatten().any(|rail| rail.rail.wheel_has_waves()),
             "track.s" => has(RailFriction::has_stations) || varies,
             "friction.coefficient" => !has(|_| true),
             "friction.tread.coefficient" | "friction.gauge_face.coefficient" => {

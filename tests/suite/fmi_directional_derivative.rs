@@ -213,7 +213,10 @@ fn difference(host: &Host, output: &str, input: &str, step: f64) -> f64 {
 
 #[test]
 fn models_and_places_without_exact_derivatives_answer_by_differences() {
-    let uneven = |host: &Host| host.set_reals(&[("rail[1].corrugation.amplitude", 1e-5)]);
+    let uneven = |host: &Host| {
+        host.set_integer("normal.model", 2)
+            .max(host.set_reals(&[("rail[1].corrugation.amplitude", 1e-5)]))
+    };
     let boundary_elements = |host: &Host| {
         host.set_integer("normal.elements_along", 8).max(host.set_integer("normal.model", 5))
     };

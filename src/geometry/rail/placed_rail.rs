@@ -275,6 +275,11 @@ impl PlacedRail {
         self.varying.is_some() && self.roller_radius() == 0.0
     }
 
+    /// Whether the wheel above has waves.
+    pub fn wheel_has_waves(&self) -> bool {
+        self.varying.as_ref().is_some_and(|varying| varying.wheel_has_waves())
+    }
+
     /// Takes axes along the rows of a rail that varies near a wheel that stands at `pose`, `x` from
     /// the origin of a track that is at the station `origin` [m]; nothing for others.
     pub fn approach(&mut self, pose: &WheelPose, place: [f64; 2]) {

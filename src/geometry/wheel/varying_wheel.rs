@@ -239,9 +239,9 @@ impl VaryingWheel {
             // Falls where the outline is farthest out.
             let rate = cross(v, p);
             if rate > 0.0 {
-                from = psi
+                from = psi;
             } else {
-                to = psi
+                to = psi;
             }
             let least = -MIN_BEND * here.radius * v[0];
             let slope = (cross(vp, p) + cross(v, pp)).min(least);

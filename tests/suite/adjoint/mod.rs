@@ -189,7 +189,8 @@ fn a_lifted_wheel_and_one_without_load_have_them_too() {
 
 #[test]
 fn where_there_are_none_forwards_there_are_none_backwards() {
-    let mut flat = Parameters::default();
+    let normal_model = NormalModel::PiotrowskiKik;
+    let mut flat = Parameters { normal_model, ..Parameters::default() };
     flat.wheel.flat.length = 0.03;
     let input = Input::default();
     for parameters in
@@ -203,6 +204,12 @@ fn where_there_are_none_forwards_there_are_none_backwards() {
         assert!(matches!(backwards, Err(ContactError::NoDerivative { .. })));
         assert_eq!((backwards, gradient), (forwards, before));
     }
+    // Over waves those of strips go forwards alone.
+    let mut flat = Parameters::default();
+    flat.wheel.flat.length = 0.03;
+    let found =
+        element(&flat).adjoint_derivative(&input, &Output::default(), &mut Gradient::default());
+    assert!(matches!(found, Err(ContactError::NoDerivative { .. })));
     let mut bad = input;
     bad.wheel.yaw = f64::NAN;
     let mut element = element(&Parameters::default());

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::common::varying::{bent, head, of_slices, slices};
+use wheelrail::element::parameters::FlatShape;
 
 /// `parameters` on a rail of slices that stand at `at(place)` [mm].
 fn judge_rail(name: &str, parameters: &Parameters, at: impl Fn(f64) -> [f64; 2]) {
@@ -53,4 +54,28 @@ fn of_rollers() {
     let normal_model = NormalModel::Strips;
     let strips = Parameters { normal_model, strips: 15, elements_along: 15, ..parameters };
     judge_few("roller_strips", &strips);
+}
+
+#[test]
+fn of_strips_over_waves() {
+    let normal_model = NormalModel::Strips;
+    let strips = Parameters { normal_model, strips: 15, elements_along: 15, ..default() };
+    let mut corrugated = strips.clone();
+    let wave = &mut corrugated.rails[0].corrugation;
+    (wave.amplitude, wave.wavelength) = (1e-5, 0.06);
+    judge_few("corrugated_strips", &corrugated);
+    let mut uneven = strips.clone();
+    let wave = &mut uneven.wheel.out_of_round;
+    (wave.amplitude, wave.order) = (2e-5, 40);
+    judge_few("out_of_round_strips", &uneven);
+    uneven.rails[0].roller_radius = 0.5;
+    judge_few("out_of_round_on_roller", &uneven);
+    uneven.rails[0] = corrugated.rails[0].clone();
+    judge_rail("waves_on_bent_rail", &uneven, bent);
+    // On its flat, which the poses are not far from.
+    let mut flat = strips;
+    flat.wheel.flat.length = 0.2;
+    flat.wheel.flat.depth = 2e-3;
+    flat.wheel.flat.shape = FlatShape::Worn;
+    judge_few("flat_strips", &flat);
 }

@@ -22,6 +22,11 @@ impl VaryingRail {
         self.is_corrugated() || !self.waves.is_empty()
     }
 
+    /// Whether the wheel has.
+    pub fn wheel_has_waves(&self) -> bool {
+        !self.waves.is_empty()
+    }
+
     /// Whether all rows are higher by a corrugation.
     pub fn is_corrugated(&self) -> bool {
         self.surface.is_corrugated()
