@@ -31,7 +31,7 @@ struct Case {
 const DEPTH: f64 = 6e-5;
 /// Place of the fastest models.
 const FASTEST: usize = 12;
-const CASES: [Case; 33] = [
+const CASES: [Case; 37] = [
     option("none on", |_| ()),
     Case { depth: -1e-3, ..option("none on, lifted wheel", |_| ()) },
     option("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz),
@@ -79,6 +79,16 @@ const CASES: [Case; 33] = [
     option("`rail[1].roller_radius`, corrugated", |p| {
         roller(p);
         corrugated(p);
+    }),
+    option("`wheel.flat.*`, on the flat", on_flat),
+    option("`wheel.out_of_round.*`", out_of_round),
+    of_fastest("with `wheel.flat.*`, on the flat", |p| {
+        fastest(p);
+        on_flat(p);
+    }),
+    of_fastest("with `wheel.out_of_round.*`", |p| {
+        fastest(p);
+        out_of_round(p);
     }),
     of_fastest("with `rail[1].corrugation.*`", |p| {
         fastest(p);
@@ -162,6 +172,17 @@ fn roller(parameters: &mut Parameters) {
 
 fn loaded(parameters: &mut Parameters) {
     parameters.vertical_mode = VerticalMode::Load;
+}
+
+/// A fresh flat of 50 mm, on which the wheel stands at the pitch 0.
+fn on_flat(parameters: &mut Parameters) {
+    parameters.wheel.flat.length = 0.05;
+}
+
+/// Waves of 96 mm around the wheel.
+fn out_of_round(parameters: &mut Parameters) {
+    let wave = &mut parameters.wheel.out_of_round;
+    (wave.amplitude, wave.order) = (2e-5, 30);
 }
 
 fn corrugated(parameters: &mut Parameters) {
