@@ -338,7 +338,8 @@ fn evaluations_of_both_allocate_nothing() {
 #[test]
 fn derivatives_of_both_are_refused_by_name() {
     let folder = folder(25.0);
-    let mut flat = on_crossing(Parameters::default(), "S1002");
+    let normal_model = NormalModel::PiotrowskiKik;
+    let mut flat = on_crossing(Parameters { normal_model, ..Parameters::default() }, "S1002");
     flat.wheel.flat.length = FLAT;
     let around = on_crossing(Parameters::default(), "same.csv");
     for (parameters, name) in [(flat, "wheel.flat"), (around, "wheel.profile")] {
