@@ -4,7 +4,7 @@ use clap::{Parser, Subcommand};
 
 use crate::{
     compare, conicity, evaluate, fatigue, fit, linearize, pack, patch, plot, simulate, stress,
-    sweep, tables, transient,
+    sweep, transient,
 };
 
 /// Wheel-rail contact: forces, patches and a running wheelset
@@ -32,7 +32,6 @@ pub enum Command {
     Stress(stress::Arguments),
     Fatigue(fatigue::Arguments),
     Transient(transient::Arguments),
-    Tables(tables::Arguments),
     Sweep(sweep::Arguments),
     Fit(fit::Arguments),
     Pack(pack::Arguments),

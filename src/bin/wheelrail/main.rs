@@ -24,7 +24,6 @@ mod remarks;
 mod simulate;
 mod stress;
 mod sweep;
-mod tables;
 mod transient;
 mod wheelset;
 
@@ -46,7 +45,6 @@ fn main() -> ExitCode {
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Stress(arguments) => stress::run(&arguments),
         Command::Fatigue(arguments) => fatigue::run(&arguments),
-        Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Transient(arguments) => transient::run(&arguments),

@@ -10,7 +10,8 @@
 //! Δ_linear is Kalker's linear law less that of the marches: shares of the linear coefficients, which
 //! are parabolas over Poisson's ratio. Δ_sliding comes from the table alone, for the ratio 0.28. The
 //! exact forces at the nodes are those of the table of creep forces, which
-//! boundary elements have made; the marches there are made by `wheelrail tables --marches`.
+//! boundary elements have made; the marches there are made by
+//! `cargo bench --bench creep_tables -- --marches`.
 
 use super::ellipse::MarchedEllipse;
 use crate::math::b_spline;

@@ -71,7 +71,6 @@ fn every_subcommand_explains_itself() {
     for arguments in [
         &["--help"][..],
         &["simulate", "--help"],
-        &["tables", "--help"],
         &["evaluate", "-h"],
         &["patch", "-h"],
         &["conicity", "-h"],
@@ -320,18 +319,4 @@ fn sweep_refuses_what_is_no_path() {
     assert!(failure(&["sweep", &path]).contains("at least two rows"));
     let (_folder, path) = written("wheel.y,normal.model\n0.75,hertz\n0.75,strips\n");
     assert!(failure(&["sweep", &path]).contains("row 2 has other parameters"));
-}
-
-#[test]
-fn tables_are_measured_against_solutions_and_refuse_what_they_cannot() {
-    let rows = success(&["tables", "--check", "4", "--elements", "8,12", "--axis-ratio", "3"]);
-    assert_eq!(rows.len(), 4);
-    assert!(rows.iter().all(|row| number(row, "mean") <= number(row, "worst")));
-    let force = rows.iter().find(|row| row["quantity"] == "force_over_limit").unwrap();
-    // Eight elements along are coarse.
-    assert!(number(force, "worst") > 0.0 && number(force, "worst") < 0.05, "{force:?}");
-    let message = failure(&["tables", "--check", "4", "--elements", "12,8"]);
-    assert!(message.contains("--elements"), "{message}");
-    let message = failure(&["tables", "--check", "4", "--poisson-ratio", "0.7"]);
-    assert!(message.contains("--poisson-ratio"), "{message}");
 }

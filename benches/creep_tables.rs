@@ -1,12 +1,13 @@
-//! `wheelrail tables`: makes the table of creep forces anew, or measures it against the solutions
-//! it interpolates.
+//! Makes the tables of creep forces anew that are built in, or measures them against the solutions
+//! they interpolate: `cargo bench --bench creep_tables -- --help`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use clap::Args;
-use indicatif::ProgressBar;
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use wheelrail::io::write_whole;
 use wheelrail::tangential::coupled_marches::differences;
 use wheelrail::tangential::tables::CreepForceTable;
 use wheelrail::tangential::tables::generate::{ELEMENTS, EllipseNodes, POISSON_RATIO};
@@ -15,16 +16,17 @@ use wheelrail::tangential::tables::nodes::{
 };
 use wheelrail::tangential::tables::scales::Scales;
 
-use crate::output;
-
 /// Make the table of creep forces of tangential.model = tables, or measure it
 ///
 /// Some 34000 boundary element solutions on each of two grids, on all cores: about a quarter of an
 /// hour of two. A build of the library then takes the new file. With --check the table that is
 /// built in is compared with solutions at states between its nodes.
-#[derive(Args, Debug)]
+#[derive(Debug, Parser)]
 #[command(verbatim_doc_comment)]
-pub struct Arguments {
+struct Arguments {
+    /// What cargo adds
+    #[arg(long, hide = true)]
+    bench: bool,
     /// File of the table; src/tangential/tables/creep_forces.table is the one a build takes
     #[arg(long, short, value_name = "FILE", required_unless_present = "check")]
     output: Option<PathBuf>,
@@ -49,8 +51,8 @@ pub struct Arguments {
     axis_ratio: f64,
 }
 
-/// Makes or measures.
-pub fn run(arguments: &Arguments) -> Result<()> {
+fn main() -> Result<()> {
+    let arguments = &Arguments::parse();
     let &[coarse, fine] = &arguments.elements[..] else {
         bail!("--elements: write two numbers, as 16,24");
     };
@@ -63,15 +65,24 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         (Some(path), _) if arguments.marches => {
             let exact = CreepForceTable::committed_nodes().context("no table is built in")?;
             let head = head_of_differences(&arguments.date);
-            output::write(path, &differences::nodes(&exact).to_bytes(&head))
+            write(path, &differences::nodes(&exact).to_bytes(&head))
         }
         (Some(path), _) => {
             let nodes = generate(elements)?;
-            output::write(path, &nodes.to_bytes(&head(&nodes, elements, &arguments.date)))
+            write(path, &nodes.to_bytes(&head(&nodes, elements, &arguments.date)))
         }
         (None, Some(states)) => check(arguments, elements, states),
         (None, None) => Ok(()),
     }
+}
+
+fn write(path: &Path, content: &[u8]) -> Result<()> {
+    write_whole(path, content).with_context(|| format!("cannot write {}", path.display()))
+}
+
+fn progress(count: usize) -> Result<ProgressBar> {
+    let template = "{bar:40.blue} {pos} of {len} cases, {elapsed} elapsed, {eta} to go";
+    Ok(ProgressBar::new(count as u64).with_style(ProgressStyle::with_template(template)?))
 }
 
 fn head(nodes: &Nodes, [coarse, fine]: [usize; 2], date: &str) -> String {
@@ -81,7 +92,7 @@ fn head(nodes: &Nodes, [coarse, fine]: [usize; 2], date: &str) -> String {
     let at = |share: f64| errors[(share * (errors.len() - 1) as f64) as usize];
     format!(
         "Creep forces of Hertzian ellipses in steady rolling, boundary elements, for tangential.model = tables.\n\
-         Made by: wheelrail tables -o creep_forces.table --elements {coarse},{fine}, version {}, {date}.\n\
+         Made by: cargo bench --bench creep_tables -- -o creep_forces.table --elements {coarse},{fine}, version {}, {date}.\n\
          Elements {coarse} and {fine} along and across, extrapolated with the power 3/2 of their size; Poisson's ratio {POISSON_RATIO}.\n\
          a/b 0.05 to 20 in {RATIOS} steps of equal ratio, {SATURATIONS} saturations, {RING} directions: {CREEP_NODES} nodes.\n\
          Estimated error of the force over friction limit: mean {mean:.4}, 95 % {:.4}, greatest {:.4}.\n\
@@ -95,7 +106,7 @@ fn head(nodes: &Nodes, [coarse, fine]: [usize; 2], date: &str) -> String {
 fn head_of_differences(date: &str) -> String {
     format!(
         "Creep forces of Hertzian ellipses less those of their marches, for tangential.model = marches.\n\
-         Made by: wheelrail tables --marches -o differences.table, version {}, {date}.\n\
+         Made by: cargo bench --bench creep_tables -- --marches -o differences.table, version {}, {date}.\n\
          Nodes and error estimates are those of creep_forces.table, from which this is made.\n\
          What stands where: src/tangential/tables/nodes.rs. Binary from the empty line on.",
         env!("CARGO_PKG_VERSION"),
@@ -105,7 +116,7 @@ fn head_of_differences(date: &str) -> String {
 fn generate(elements: [usize; 2]) -> Result<Nodes> {
     let ellipses: Vec<EllipseNodes> =
         (0..RATIOS).map(|i| EllipseNodes::number(i, elements)).collect();
-    let bar = output::progress(Some(CREEP_NODES), Some("file".as_ref()))?;
+    let bar = progress(CREEP_NODES)?;
     let creep = (0..CREEP_NODES).into_par_iter().map(|n| {
         let (i, j, k) = (n / (SATURATIONS * RING), n / RING % SATURATIONS + 1, n % RING);
         let node = ellipses[i].creep_node(j, k);
@@ -143,7 +154,7 @@ fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<(
         "--check {states} is not admitted: 1 to {MOST_STATES} states"
     );
     ensure!((0.0..=0.5).contains(&arguments.poisson_ratio), "--poisson-ratio: 0 to 0.5");
-    let bar: ProgressBar = output::progress(Some(states), Some("file".as_ref()))?;
+    let bar = progress(states)?;
     let errors = (0..states).into_par_iter().map(|state| {
         let greatest = arguments.axis_ratio.ln().min(LOG_RATIO);
         let log_ratio = greatest * (2.0 * even(state, 0) - 1.0);
@@ -164,16 +175,14 @@ fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<(
     });
     let errors: Vec<[f64; 4]> = errors.collect::<Result<_>>()?;
     bar.finish();
-    let table = output::table(None)?;
-    table.write_record(["quantity", "mean", "percentile_95", "worst"])?;
+    println!("quantity,mean,percentile_95,worst");
     let names = ["force_over_limit", "moment_over_limit_c", "slip_share", "solution_itself"];
     for (k, name) in names.iter().enumerate() {
         let mut column: Vec<f64> = errors.iter().map(|e| e[k]).collect();
         column.sort_by(f64::total_cmp);
         let mean = column.iter().sum::<f64>() / states as f64;
         let at = |share: f64| column[(share * (states - 1) as f64) as usize];
-        let numbers = [mean, at(0.95), at(1.0)].map(|number| format!("{number:.5}"));
-        table.write_record([name.to_string()].into_iter().chain(numbers))?;
+        println!("{name},{mean:.5},{:.5},{:.5}", at(0.95), at(1.0));
     }
-    table.finish()
+    Ok(())
 }
