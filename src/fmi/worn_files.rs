@@ -9,7 +9,7 @@ use crate::element::Parameters;
 use crate::element::parameters::WearModel;
 use crate::error::ContactError;
 use crate::geometry::profiles::profile::ProfileKind;
-use crate::io::{can_be_written, profile_file, save_profile};
+use crate::io::{can_be_written, full_name, profile_file, save_profile};
 use crate::variables::{Described, shortened};
 
 /// Names of the parameters of one wheel that name a file for a rail, and of those that name the
@@ -27,6 +27,7 @@ impl<S: Described> Instance<S> {
         if self.purpose == Purpose::ModelExchange {
             return Ok(());
         }
+        let identity = |path: &Path| full_name(path).unwrap_or_else(|| path.into());
         let (written, read) = self.worn_files();
         let mut known: Vec<Named<PathBuf>> =
             read.into_iter().map(|(name, path)| (name, identity(&path))).collect();
@@ -91,15 +92,4 @@ impl<S: Described> Instance<S> {
         }
         Ok(())
     }
-}
-
-/// A path by which a file is known, whatever links and dots lead to it and whether or not it
-/// exists.
-fn identity(path: &Path) -> PathBuf {
-    let of_folder = || {
-        let folder = path.parent()?;
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        Some(folder.canonicalize().ok()?.join(path.file_name()?))
-    };
-    path.canonicalize().ok().or_else(of_folder).unwrap_or_else(|| path.into())
 }

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 use crate::error::ContactError;
 use crate::io::deviation_rows::DeviationRows;
-use crate::io::named_text::named_text;
+use crate::io::named_file::parsed;
 
 /// Of which body a file of deviations is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,13 +44,7 @@ pub fn load_deviations(
     body: Deviations,
     folders: &[PathBuf],
 ) -> Result<Vec<[f64; 2]>, ContactError> {
-    let refuse = |allowed: String| ContactError::BadText {
-        name: parameter.into(),
-        value: name.into(),
-        allowed,
-    };
-    let content = named_text(parameter, name, folders)?;
-    points(&content, body).map_err(refuse)
+    parsed(parameter, name, folders, |content| points(content, body))
 }
 
 /// The points of a file.

@@ -3,7 +3,7 @@
 //! Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a
 //! comment; one line of headings may stand first.
 
-use crate::io::table::{lines, numbers};
+use crate::io::table::{Line, numbers, rows as rows_of};
 
 /// What the rows of a file of deviations have to be; the first column is the coordinate, the others
 /// are deviations in millimetres.
@@ -28,12 +28,7 @@ impl<const COLUMNS: usize> DeviationRows<COLUMNS> {
         let Self { columns, unit, most_slope } = *self;
         let mut rows: Vec<[f64; COLUMNS]> = Vec::new();
         let mut is_first = true;
-        for line in lines(content) {
-            let text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
-            if text.is_empty() {
-                continue;
-            }
-            let number = line.number;
+        for Line { number, text } in rows_of(content) {
             let may_be_headings = std::mem::take(&mut is_first);
             let Some(found) = numbers(text) else {
                 if may_be_headings {

@@ -11,8 +11,8 @@ use std::path::PathBuf;
 
 use crate::error::ContactError;
 use crate::friction::{Across, FrictionProfile, Section};
-use crate::io::named_text::named_text;
-use crate::io::table::{columns, lines, numbers};
+use crate::io::named_file::parsed;
+use crate::io::table::{Line, columns, numbers, rows};
 
 /// Greatest coefficient of friction: a number in percent is beyond it.
 const MAX_FRICTION: f64 = 10.0;
@@ -31,12 +31,7 @@ pub fn load_friction(
     rail: usize,
     folders: &[PathBuf],
 ) -> Result<FrictionProfile, ContactError> {
-    let content = named_text(parameter, name, folders)?;
-    profile(&content, rail).map_err(|allowed| ContactError::BadText {
-        name: parameter.into(),
-        value: name.into(),
-        allowed,
-    })
+    parsed(parameter, name, folders, |content| profile(content, rail))
 }
 
 /// Places of the columns in a line.
@@ -91,12 +86,8 @@ impl Columns {
 fn profile(content: &str, rail: usize) -> Result<FrictionProfile, String> {
     let mut head: Option<Columns> = None;
     let mut sections: Vec<Section> = Vec::new();
-    for line in lines(content) {
-        let text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
-        if text.is_empty() {
-            continue;
-        }
-        let at = |what: String| format!("{what} (line {})", line.number);
+    for Line { number, text } in rows(content) {
+        let at = |what: String| format!("{what} (line {number})");
         let Some(columns) = &head else {
             head = Some(Columns::of(text).map_err(at)?);
             continue;

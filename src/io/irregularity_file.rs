@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use crate::error::ContactError;
 use crate::io::deviation_rows::DeviationRows;
-use crate::io::named_text::named_text;
+use crate::io::named_file::parsed;
 
 /// Irregularities are admitted as steep as the inputs of slopes are.
 const ROWS: DeviationRows<5> = DeviationRows {
@@ -27,12 +27,7 @@ pub fn load_irregularities(
     name: &str,
     folders: &[PathBuf],
 ) -> Result<[Vec<[f64; 2]>; 4], ContactError> {
-    let content = named_text(parameter, name, folders)?;
-    points(&content).map_err(|allowed| ContactError::BadText {
-        name: parameter.into(),
-        value: name.into(),
-        allowed,
-    })
+    parsed(parameter, name, folders, points)
 }
 
 /// The points of a file.

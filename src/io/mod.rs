@@ -6,7 +6,7 @@ mod draft;
 mod friction_file;
 mod irregularity_file;
 mod miniprof;
-mod named_text;
+pub(crate) mod named_file;
 mod point_lines;
 mod profile_file;
 mod section_table;
@@ -22,6 +22,8 @@ pub use deviation_file::{Deviations, load_deviations};
 pub use draft::{Draft, write as write_whole};
 pub use friction_file::load_friction;
 pub use irregularity_file::load_irregularities;
+#[doc(hidden)]
+pub use named_file::full_name;
 pub(crate) use profile_file::{can_be_written, profile_file};
 pub use profile_file::{load_profile, save_profile};
 pub use slices_file::load_slices;

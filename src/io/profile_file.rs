@@ -1,9 +1,9 @@
 //! Profiles by name: built in, or from a file of one of three formats.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, write as write_whole};
+use super::named_file::{self, content, text};
 use super::stated::Stated;
 use super::{miniprof, simpack, two_column};
 use crate::error::ContactError;
@@ -11,9 +11,6 @@ use crate::geometry::profiles::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOW
 use crate::geometry::profiles::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::profiles::profile_points::ProfilePoints;
 use crate::geometry::profiles::standard_profiles::{built_in, built_in_names};
-
-/// Largest file that is read [bytes]; a million points stay below it.
-const LARGEST_FILE: u64 = 64 << 20;
 
 /// The profile that a parameter names: a built-in or analytic one, else a file.
 ///
@@ -94,22 +91,11 @@ pub(super) fn find(
     kind: ProfileKind,
     folders: &[PathBuf],
 ) -> Result<PathBuf, ProfileError> {
-    let path = Path::new(name);
-    let candidates: Vec<PathBuf> = if name.trim().is_empty() {
-        Vec::new()
-    } else if path.is_absolute() {
-        vec![path.into()]
-    } else {
-        folders.iter().map(|folder| folder.join(path)).collect()
-    };
-    candidates.iter().find(|candidate| candidate.exists()).cloned().ok_or_else(|| {
-        let looked: Vec<String> = candidates.iter().map(|c| c.display().to_string()).collect();
-        ProfileError::Unknown {
-            name: name.into(),
-            kind,
-            built_in: built_in_names(kind),
-            looked_for: if looked.is_empty() { "nothing".into() } else { looked.join(", ") },
-        }
+    named_file::find(name, folders).map_err(|looked_for| ProfileError::Unknown {
+        name: name.into(),
+        kind,
+        built_in: built_in_names(kind),
+        looked_for,
     })
 }
 
@@ -121,16 +107,8 @@ fn from_file(path: &Path, kind: ProfileKind, smoothing: f64) -> Result<Profile, 
 
 /// The content of a file.
 pub(super) fn bytes_of(path: &Path) -> Result<Vec<u8>, ProfileError> {
-    let file = path.display().to_string();
-    let unreadable = |reason: String| ProfileError::Unreadable { file: file.clone(), reason };
-    let about = fs::metadata(path).map_err(|e| unreadable(e.to_string()))?;
-    if !about.is_file() {
-        return Err(unreadable("it is not a file".into()));
-    }
-    if about.len() > LARGEST_FILE {
-        return Err(unreadable(format!("{} bytes are too many for a profile", about.len())));
-    }
-    fs::read(path).map_err(|e| unreadable(e.to_string()))
+    content(path)
+        .map_err(|reason| ProfileError::Unreadable { file: path.display().to_string(), reason })
 }
 
 /// Points of a file by its extension and content.
@@ -145,9 +123,7 @@ fn read(
         let what = "it is not text".into();
         return Err(ProfileError::UnknownFormat { file: file.into(), line, what });
     }
-    // Comments may hold letters of any encoding; numbers do not.
-    let content = String::from_utf8_lossy(bytes);
-    let content = content.trim_start_matches('\u{feff}');
+    let content = &text(bytes);
     let (simpack_like, miniprof_like) =
         (simpack::is_recognised(content), miniprof::is_recognised(content));
     let extension = extension.to_ascii_lowercase();
@@ -175,6 +151,7 @@ fn read(
 #[cfg(test)]
 mod tests {
     use std::fmt::Write;
+    use std::fs;
 
     use approx::assert_relative_eq;
     use tempfile::TempDir;

@@ -23,6 +23,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+use super::named_file::text;
 use super::profile_file::{bytes_of, find, load_profile};
 use super::section_table::{is_table, read_table};
 use super::slice_list::{Entry, Listed, MAX_SLICES, MIN_DISTANCE, Places};
@@ -65,9 +66,7 @@ pub fn load_slices(
         return Ok(None);
     }
     let file = path.display().to_string();
-    let bytes = bytes_of(&path).map_err(refuse)?;
-    let text = String::from_utf8_lossy(&bytes);
-    let text = text.trim_start_matches('\u{feff}');
+    let text = &text(&bytes_of(&path).map_err(refuse)?);
     let listed = if is_of_slices {
         read_slices(&file, text, &places).map_err(refuse)?
     } else if is_table(text) {

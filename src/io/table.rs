@@ -16,6 +16,16 @@ pub(crate) fn lines(content: &str) -> impl Iterator<Item = Line<'_>> {
     (1..).zip(content.split(separator)).map(|(number, text)| Line { number, text: text.trim() })
 }
 
+/// Lines that hold more than a comment, without it; comments begin with `#` or `!`.
+pub(crate) fn rows(content: &str) -> impl Iterator<Item = Line<'_>> {
+    lines(content)
+        .map(|Line { number, text }| Line {
+            number,
+            text: text.split(['#', '!']).next().unwrap_or_default().trim(),
+        })
+        .filter(|line| !line.text.is_empty())
+}
+
 /// The columns of a line, separated by blanks, tabs, semicolons or commas.
 ///
 /// With semicolons a comma is a decimal point.

@@ -8,13 +8,12 @@ use super::error::PackError;
 use crate::error::ContactError;
 use crate::geometry::profiles::profile::ProfileKind;
 use crate::geometry::profiles::standard_profiles::built_in;
+use crate::io::named_file::{content, text};
 use crate::io::number;
 use crate::variables::Variable;
 
 /// Where a unit looks for its files, in the archive.
 pub const FOLDER: &str = "resources/profiles/";
-/// Largest file that is taken [bytes], as of the readers.
-const LARGEST_FILE: u64 = 64 << 20;
 
 /// The files of a unit by their paths below [`FOLDER`].
 pub struct Files {
@@ -176,17 +175,6 @@ fn looked_for(path: &Path) -> String {
     format!("{}, and {FOLDER}{} of the source", here.join(path).display(), path.display())
 }
 
-fn content(path: &Path) -> Result<Vec<u8>, String> {
-    let about = fs::metadata(path).map_err(|e| e.to_string())?;
-    if !about.is_file() {
-        return Err("it is not a file".into());
-    }
-    if about.len() > LARGEST_FILE {
-        return Err(format!("a file of up to {LARGEST_FILE} bytes is admitted"));
-    }
-    fs::read(path).map_err(|e| e.to_string())
-}
-
 /// Whether a section lies in the folder of its list or below.
 fn lies_beside(section: &str) -> bool {
     let mut parts = Path::new(section).components();
@@ -196,8 +184,7 @@ fn lies_beside(section: &str) -> bool {
 /// The files that a list of sections names, in their order: slices, or a table with a heading. What a
 /// file names that cannot be found is for the reader of lists to refuse.
 fn sections(path: &Path, bytes: &[u8]) -> Vec<String> {
-    let text = String::from_utf8_lossy(bytes);
-    let text = text.trim_start_matches('\u{feff}');
+    let text = text(bytes);
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase();
     let mut lines = text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#'));
     let heading = lines.next().unwrap_or_default().to_lowercase();

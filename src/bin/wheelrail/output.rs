@@ -11,7 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 pub use table::Table;
 use table::cannot_write;
-use wheelrail::io::write_whole;
+use wheelrail::io::{full_name, write_whole};
 
 /// A table in the file `path`, or on standard output without one.
 pub fn table(path: Option<&Path>) -> Result<Table> {
@@ -35,6 +35,8 @@ pub fn check_names<'a>(
     inputs: impl IntoIterator<Item = &'a Path>,
     outputs: impl IntoIterator<Item = Option<&'a Path>>,
 ) -> Result<()> {
+    // Devices, pipes and folders may be named twice.
+    let identity = |path| full_name(path).filter(|full| full.is_file() || !full.exists());
     let inputs: Vec<PathBuf> = inputs.into_iter().filter_map(identity).collect();
     let mut taken = Vec::new();
     for output in outputs.into_iter().flatten() {
@@ -49,16 +51,6 @@ pub fn check_names<'a>(
         taken.push(file);
     }
     Ok(())
-}
-
-/// The one full name of a file, whether it exists yet or not; devices, pipes and folders have none.
-fn identity(path: &Path) -> Option<PathBuf> {
-    if let Ok(full) = path.canonicalize() {
-        return full.is_file().then_some(full);
-    }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let folder = folder.unwrap_or(Path::new(".")).canonicalize().ok()?;
-    Some(folder.join(path.file_name()?))
 }
 
 /// A bar for `rows` cases on standard error, or without their number a count; hidden where the rows
