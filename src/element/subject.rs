@@ -175,6 +175,55 @@ pub trait Subject: Clone + Debug {
     fn report_fallbacks(&self, output: &mut Self::Output);
 }
 
+/// What a subject has under the same meaning as a method of its own.
+macro_rules! forwarded {
+    () => {
+        fn prepare(
+            parameters: &Self::Parameters,
+            start: &Self::Input,
+            profile_folders: &[std::path::PathBuf],
+        ) -> Result<Self, ContactError> {
+            Self::new(parameters, start, profile_folders)
+        }
+
+        fn evaluate_all(
+            &mut self,
+            input: &Self::Input,
+            output: &mut Self::Output,
+        ) -> Result<(), ContactError> {
+            self.evaluate(input, output)
+        }
+
+        fn advance_all(
+            &mut self,
+            input: &Self::Input,
+            output: &mut Self::Output,
+            duration: f64,
+        ) -> Result<(), ContactError> {
+            self.advance(input, output, duration)
+        }
+
+        fn move_all_rails(
+            &mut self,
+            from: &Self::Input,
+            to: &Self::Input,
+            duration: f64,
+        ) -> Result<(), ContactError> {
+            self.move_rails(from, to, duration)
+        }
+
+        fn directional_derivative_of_all(
+            &mut self,
+            input: &Self::Input,
+            direction: &Self::Input,
+            rates: &mut Self::Output,
+        ) -> Result<(), ContactError> {
+            self.directional_derivative(input, direction, rates)
+        }
+    };
+}
+pub(crate) use forwarded;
+
 impl Subject for Element {
     type Parameters = Parameters;
     type Input = Input;
@@ -183,47 +232,10 @@ impl Subject for Element {
 
     const PREFIXES: &'static [&'static str] = &[""];
 
-    fn prepare(
-        parameters: &Parameters,
-        start: &Input,
-        profile_folders: &[PathBuf],
-    ) -> Result<Self, ContactError> {
-        Self::new(parameters, start, profile_folders)
-    }
+    forwarded!();
 
     fn nominal(&self) -> f64 {
         self.nominal_wheel_z()
-    }
-
-    fn evaluate_all(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        self.evaluate(input, output)
-    }
-
-    fn advance_all(
-        &mut self,
-        input: &Input,
-        output: &mut Output,
-        duration: f64,
-    ) -> Result<(), ContactError> {
-        self.advance(input, output, duration)
-    }
-
-    fn move_all_rails(
-        &mut self,
-        from: &Input,
-        to: &Input,
-        duration: f64,
-    ) -> Result<(), ContactError> {
-        self.move_rails(from, to, duration)
-    }
-
-    fn directional_derivative_of_all(
-        &mut self,
-        input: &Input,
-        direction: &Input,
-        rates: &mut Output,
-    ) -> Result<(), ContactError> {
-        self.directional_derivative(input, direction, rates)
     }
 
     fn adjoint_derivative_of_all(

@@ -42,7 +42,7 @@ pub use track::{MAX_SLOPE, MAX_TURN, RailLine, TrackTurn};
 
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
-use crate::element::subject::{BySubject, Subject};
+use crate::element::subject::{BySubject, Subject, forwarded};
 use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element, FreeRolling, check_duration};
 use crate::error::ContactError;
@@ -299,47 +299,10 @@ impl Subject for Wheelset {
 
     const PREFIXES: &'static [&'static str] = &["right.", "left."];
 
-    fn prepare(
-        parameters: &Parameters,
-        start: &Input,
-        profile_folders: &[PathBuf],
-    ) -> Result<Self, ContactError> {
-        Self::new(parameters, start, profile_folders)
-    }
+    forwarded!();
 
     fn nominal(&self) -> NominalHeights {
         self.nominal
-    }
-
-    fn evaluate_all(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        self.evaluate(input, output)
-    }
-
-    fn advance_all(
-        &mut self,
-        input: &Input,
-        output: &mut Output,
-        duration: f64,
-    ) -> Result<(), ContactError> {
-        self.advance(input, output, duration)
-    }
-
-    fn move_all_rails(
-        &mut self,
-        from: &Input,
-        to: &Input,
-        duration: f64,
-    ) -> Result<(), ContactError> {
-        self.move_rails(from, to, duration)
-    }
-
-    fn directional_derivative_of_all(
-        &mut self,
-        input: &Input,
-        direction: &Input,
-        rates: &mut Output,
-    ) -> Result<(), ContactError> {
-        self.directional_derivative(input, direction, rates)
     }
 
     fn adjoint_derivative_of_all(
