@@ -16,49 +16,51 @@ const SHOWN_MESSAGES: usize = 5;
 /// Deviation below which an oscillation is not told from rounding and recording [m].
 const SMALLEST_OSCILLATION: f64 = 2e-6;
 
+/// Writes lines of a label and a text, the texts from the column `width` on.
+fn write_lines(out: &mut impl Write, width: usize, lines: &[(&str, String)]) -> io::Result<()> {
+    lines.iter().try_for_each(|(label, text)| writeln!(out, "{label:<width$}{text}"))
+}
+
 /// Wheelset, suspension, track and contact.
 pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io::Result<()> {
-    let (suspension, contact) = (arguments.wheelset.suspension(), &arguments.contact);
-    writeln!(out, "Unit        {}", unit.display())?;
-    writeln!(
-        out,
-        "Contact     wheel {} on rail {}, inclination {}{}",
-        contact.wheel_profile,
-        contact.rail_profile,
-        contact.inclination,
-        contact.settings.iter().fold(String::new(), |text, (n, v)| text + &format!(", {n} = {v}"))
-    )?;
-    writeln!(
-        out,
-        "Wheelset    {} kg, inertia {} kg m² (roll, yaw) and {} kg m² (axle), {} kN on the track, circles {} m apart",
-        arguments.wheelset.mass,
-        arguments.wheelset.inertia,
-        arguments.wheelset.axle_inertia,
-        1e-3 * arguments.wheelset.axle_load,
-        arguments.wheelset.running_circles
-    )?;
-    writeln!(
-        out,
-        "Suspension  each axle box {} kN/m, {} kN s/m (x, y, z); boxes {} m apart; static force {:.1} kN;",
+    let Arguments { contact, wheelset, length, speed, ramp_start, .. } = arguments;
+    let suspension = wheelset.suspension();
+    let set: String = contact.settings.iter().map(|(n, v)| format!(", {n} = {v}")).collect();
+    let contact = format!(
+        "wheel {} on rail {}, inclination {}{set}",
+        contact.wheel_profile, contact.rail_profile, contact.inclination
+    );
+    let body = format!(
+        "{} kg, inertia {} kg m² (roll, yaw) and {} kg m² (axle), {} kN on the track, circles {} m apart",
+        wheelset.mass,
+        wheelset.inertia,
+        wheelset.axle_inertia,
+        1e-3 * wheelset.axle_load,
+        wheelset.running_circles
+    );
+    let springs = format!(
+        "each axle box {} kN/m, {} kN s/m (x, y, z); boxes {} m apart; static force {:.1} kN;",
         list(suspension.stiffness),
         list(suspension.damping),
-        arguments.wheelset.axle_boxes,
+        wheelset.axle_boxes,
         1e-3 * suspension.load
-    )?;
-    writeln!(
-        out,
-        "            against a frame that runs straight ahead on the track's centre line"
-    )?;
-    writeln!(
-        out,
-        "Run         {} m at {} m/s, {} ramp of {} mm from {} m to {} m",
-        arguments.length,
-        arguments.speed,
+    );
+    let frame = "against a frame that runs straight ahead on the track's centre line";
+    let run = format!(
+        "{length} m at {speed} m/s, {} ramp of {} mm from {ramp_start} m to {} m",
         format!("{:?}", arguments.ramp_shape).to_lowercase(),
         1e3 * arguments.ramp(),
-        arguments.ramp_start,
-        arguments.ramp_start + arguments.ramp_length
-    )
+        ramp_start + arguments.ramp_length
+    );
+    let lines = [
+        ("Unit", unit.display().to_string()),
+        ("Contact", contact),
+        ("Wheelset", body),
+        ("Suspension", springs),
+        ("", frame.into()),
+        ("Run", run),
+    ];
+    write_lines(out, 12, &lines)
 }
 
 fn list(values: [f64; 3]) -> String {
@@ -67,32 +69,27 @@ fn list(values: [f64; 3]) -> String {
 
 /// Where the run starts and how long a step is.
 pub fn step(out: &mut impl Write, start: &State, limit: &StepLimit, step: f64) -> io::Result<()> {
-    writeln!(
-        out,
-        "Start       rolling freely: centre {:.4} mm above the rails, {:.3} rad/s",
-        -1e3 * start.z,
-        start.pitch_rate
-    )?;
-    writeln!(
-        out,
-        "Stability   one contact: k = {:.3e} N/m, c = {:.3e} N s/m, so h ≤ 2c/k = {:.3e} s; creep forces: h ≤ {:.3e} s",
+    let (height, turn) = (-1e3 * start.z, start.pitch_rate);
+    let stability = format!(
+        "one contact: k = {:.3e} N/m, c = {:.3e} N s/m, so h ≤ 2c/k = {:.3e} s; creep forces: h ≤ {:.3e} s",
         limit.stiffness,
         limit.damping,
         limit.normal(),
         limit.creep()
-    )?;
-    writeln!(
-        out,
-        "Step        {step:.3e} s, semi-implicit Euler; the limit is {:.1} steps long",
-        limit.longest() / step
-    )?;
-    if step > limit.longest() {
-        writeln!(
-            out,
-            "            The step is above the limit: wheels that bounce and creep forces that chatter may be artefacts."
-        )?;
-    }
-    Ok(())
+    );
+    let longest = limit.longest();
+    let steps = longest / step;
+    let above = "The step is above the limit: wheels that bounce and creep forces that chatter may be artefacts.";
+    let lines = [
+        (
+            "Start",
+            format!("rolling freely: centre {height:.4} mm above the rails, {turn:.3} rad/s"),
+        ),
+        ("Stability", stability),
+        ("Step", format!("{step:.3e} s, semi-implicit Euler; the limit is {steps:.1} steps long")),
+        ("", above.into()),
+    ];
+    write_lines(out, 12, if step > longest { &lines } else { &lines[..3] })
 }
 
 /// The messages of both wheels: once what both say, as of a profile that both read, and else with
@@ -129,70 +126,61 @@ pub fn summary(
     let offset = |r: &Record| r.state.y - r.track_y;
     let farthest = largest(records, |r| offset(r).abs());
     let yawed = largest(records, |r| r.state.yaw.abs());
-    writeln!(out)?;
-    writeln!(
-        out,
-        "Largest displacement against the track  {:+.2} mm at {:.2} m; largest yaw {:+.2} mrad at {:.2} m",
+    let displacement = format!(
+        "{:+.2} mm at {:.2} m; largest yaw {:+.2} mrad at {:.2} m",
         1e3 * offset(farthest),
         farthest.state.distance,
         1e3 * yawed.state.yaw,
         yawed.state.distance
-    )?;
+    );
     let heaviest = largest(records, |r| wheel_maximum(r, |p| p.normal_force));
     let steepest = largest(records, |r| wheel_maximum(r, |p| p.contact_angle.abs()));
-    let sideways = largest(records, |r| side_maximum(r).abs());
-    writeln!(
-        out,
-        "Heaviest patch                          {:.1} kN at {:.2} m; steepest contact angle {:.1}° at {:.2} m",
+    let patch = format!(
+        "{:.1} kN at {:.2} m; steepest contact angle {:.1}° at {:.2} m",
         1e-3 * wheel_maximum(heaviest, |p| p.normal_force),
         heaviest.state.distance,
         wheel_maximum(steepest, |p| p.contact_angle.abs()).to_degrees(),
         steepest.state.distance
-    )?;
-    writeln!(
-        out,
-        "Largest lateral force of a wheel        {:+.1} kN at {:.2} m",
-        1e-3 * side_maximum(sideways),
-        sideways.state.distance
-    )?;
+    );
+    let sideways = largest(records, |r| side_maximum(r).abs());
+    let lateral =
+        format!("{:+.1} kN at {:.2} m", 1e-3 * side_maximum(sideways), sideways.state.distance);
     let end = arguments.ramp_start + arguments.ramp_length;
-    let samples: Vec<(f64, f64)> = records
-        .iter()
-        .filter(|r| r.state.distance >= end)
-        .map(|r| (r.state.distance, offset(r)))
-        .collect();
+    let behind = records.iter().filter(|r| r.state.distance >= end);
+    let samples: Vec<(f64, f64)> = behind.map(|r| (r.state.distance, offset(r))).collect();
     // Once it has died out, what is left crosses zero by rounding alone.
     let alive =
         samples.iter().rposition(|(_, y)| y.abs() > SMALLEST_OSCILLATION).map_or(0, |i| i + 1);
-    match oscillation(&samples[..alive]) {
-        Some(wave) => writeln!(
-            out,
-            "Oscillation behind the ramp             wavelength {:.2} m; each wave has {:.0} % of the amplitude of the one before",
+    let none = || "fewer than three crossings of the centre line".to_owned();
+    let wave = oscillation(&samples[..alive]).map_or_else(none, |wave| {
+        format!(
+            "wavelength {:.2} m; each wave has {:.0} % of the amplitude of the one before",
             wave.wavelength,
             100.0 * wave.decay
-        )?,
-        None => writeln!(
-            out,
-            "Oscillation behind the ramp             fewer than three crossings of the centre line"
-        )?,
-    }
-    if let Some(last) = records.last() {
-        writeln!(
-            out,
-            "At the end                              {:+.3} mm against the track",
-            1e3 * offset(last)
-        )?;
-    }
-    let seconds = run.duration.as_secs_f64();
-    writeln!(
-        out,
-        "Cost                                    {} evaluations in {seconds:.2} s: {:.0} a second, {:.2} µs each, one step of everything included",
+        )
+    });
+    let (seconds, count) = (run.duration.as_secs_f64(), run.evaluations as f64);
+    let cost = format!(
+        "{} evaluations in {seconds:.2} s: {:.0} a second, {:.2} µs each, one step of everything included",
         run.evaluations,
-        run.evaluations as f64 / seconds,
-        1e6 * seconds / run.evaluations as f64
-    )?;
+        count / seconds,
+        1e6 * seconds / count
+    );
     let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-    writeln!(out, "Written                                 {}", names.join(", "))
+    let mut lines = vec![
+        ("Largest displacement against the track", displacement),
+        ("Heaviest patch", patch),
+        ("Largest lateral force of a wheel", lateral),
+        ("Oscillation behind the ramp", wave),
+    ];
+    lines.extend(
+        records
+            .last()
+            .map(|last| ("At the end", format!("{:+.3} mm against the track", 1e3 * offset(last)))),
+    );
+    lines.extend([("Cost", cost), ("Written", names.join(", "))]);
+    writeln!(out)?;
+    write_lines(out, 40, &lines)
 }
 
 /// The record with the largest value of `quantity`; a run has at least one record.
