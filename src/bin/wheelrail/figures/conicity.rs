@@ -7,6 +7,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, VERMILION, heading, px};
+use super::panel::framed;
 use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1100, 480);
@@ -44,12 +45,8 @@ fn panel(
     if from_zero {
         y_range.start = 0.0;
     }
-    let mut chart = ChartBuilder::on(area)
-        .margin(px(8))
-        .margin_right(px(24))
-        .x_label_area_size(px(52))
-        .y_label_area_size(px(78))
-        .build_cartesian_2d(first..last.max(first + 1e-3), y_range)?;
+    let mut chart =
+        framed(area, [78, 52, 24]).build_cartesian_2d(first..last.max(first + 1e-3), y_range)?;
     Axes { titles: [x_title, y_title], labels: [9, 8], size: 17 }.draw(&mut chart)?;
     chart.draw_series(LineSeries::new(points, color.stroke_width(px(3))))?;
     Ok(())

@@ -7,6 +7,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, heading, px, text};
+use super::panel::framed;
 use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1180, 790);
@@ -64,12 +65,8 @@ fn draw_panel(area: &Area<'_>, abscissa: &str, lines: &[Line], quantity: usize) 
     let x = range_of(points().map(|point| point.0), 1e-9);
     // Zero is always seen.
     let values = points().filter_map(|point| point.1[quantity]).chain([0.0]);
-    let mut chart = ChartBuilder::on(area)
+    let mut chart = framed(area, [60, 46, 18])
         .caption(TITLES[quantity], heading(17))
-        .margin(px(8))
-        .margin_right(px(18))
-        .x_label_area_size(px(46))
-        .y_label_area_size(px(60))
         .build_cartesian_2d(x, range_of(values, 1.0))?;
     Axes { titles: [abscissa, ""], labels: [7, 7], size: 14 }.draw(&mut chart)?;
     for (index, line) in lines.iter().enumerate() {

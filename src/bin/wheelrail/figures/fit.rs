@@ -7,6 +7,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, heading, px, text};
+use super::panel::framed;
 use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1100, 560);
@@ -31,11 +32,8 @@ pub fn draw(path: &Path, curves: &[Curve]) -> Result<()> {
         let all = || curves.iter().flat_map(|curve| curve.measured.iter().chain(&curve.fitted));
         let x = range_of(all().map(|point| 100.0 * point.0).chain([0.0]), 1e-6);
         let y = range_of(all().map(|point| point.1).chain([0.0]), 1e-6);
-        let mut chart = ChartBuilder::on(&area)
+        let mut chart = framed(&area, [70, 46, 8])
             .caption("Measured points and fitted law", heading(18))
-            .margin(px(8))
-            .x_label_area_size(px(46))
-            .y_label_area_size(px(70))
             .build_cartesian_2d(x, y)?;
         let titles = ["Creepage [%]", "Adhesion: force over normal force [-]"];
         Axes { titles, labels: [10, 8], size: 14 }.draw(&mut chart)?;

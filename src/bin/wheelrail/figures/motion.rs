@@ -7,6 +7,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, GREY, GRID, RAMP, VERMILION, heading, px, text};
+use super::panel::framed;
 use super::{ramp_stretch, range_of, save, thinned};
 use crate::wheelset::record::Record;
 use crate::wheelset::track::Track;
@@ -73,11 +74,7 @@ pub(super) fn panel(
     let x_range = x_start..x_end.max(x_start + 1e-3);
     let values = series.iter().flat_map(|s| s.points.iter().map(|point| point.1));
     let y_range = range_of(values, 0.1);
-    let mut chart = ChartBuilder::on(area)
-        .margin(px(8))
-        .margin_right(px(24))
-        .x_label_area_size(px(if x_title.is_some() { 52 } else { 28 }))
-        .y_label_area_size(px(78))
+    let mut chart = framed(area, [78, if x_title.is_some() { 52 } else { 28 }, 24])
         .build_cartesian_2d(x_range.clone(), y_range.clone())?;
     let ramp = track.map_or(0.0..0.0, |track| ramp_stretch(track, &x_range));
     let corners = [(ramp.start, y_range.start), (ramp.end, y_range.end)];

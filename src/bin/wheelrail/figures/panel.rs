@@ -1,4 +1,4 @@
-//! A panel of a figure: a caption above, and what the axes take around the drawing.
+//! A panel of a figure: what its axes take around the drawing, and a caption above.
 
 use anyhow::Result;
 use plotters::prelude::*;
@@ -7,6 +7,21 @@ use super::canvas::{Area, heading, px};
 
 /// What the axes take of a panel, in pixels: left, right, above and below, the caption included.
 pub const FRAME: [u32; 4] = [66, 14, 36, 48];
+
+/// A chart in `area` whose axes take `left` and `below`, with `right` free, in pixels; a caption and
+/// ranges come next.
+pub fn framed<'a, 'b>(
+    area: &'a Area<'b>,
+    [left, below, right]: [u32; 3],
+) -> ChartBuilder<'a, 'b, SVGBackend<'b>> {
+    let mut chart = ChartBuilder::on(area);
+    chart
+        .margin(px(8))
+        .margin_right(px(right))
+        .x_label_area_size(px(below))
+        .y_label_area_size(px(left));
+    chart
+}
 
 /// A chart in `area` with its caption drawn; its axes and ranges come next.
 pub fn captioned<'a, 'b>(

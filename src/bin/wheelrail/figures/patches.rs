@@ -8,6 +8,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, INK, RAMP, heading, label, px, text};
+use super::panel::framed;
 use super::{ramp_stretch, range_of, save, thinned};
 use crate::wheelset::record::{Patch, Record};
 use crate::wheelset::track::Track;
@@ -92,12 +93,8 @@ impl Panel {
         let distance = |index: usize| shown[index].state.distance;
         let last = shown.len() - 1;
         let x_range = 0.0..distance(last).max(1e-3);
-        let mut chart = ChartBuilder::on(area)
+        let mut chart = framed(area, [66, 50, 18])
             .caption(&self.title, heading(19))
-            .margin(px(8))
-            .margin_right(px(18))
-            .x_label_area_size(px(50))
-            .y_label_area_size(px(66))
             .build_cartesian_2d(x_range.clone(), self.y_range.clone())?;
         let ramp = ramp_stretch(track, &x_range);
         if ramp.start < ramp.end {

@@ -8,6 +8,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, GREY, VERMILION, heading, px};
+use super::panel::framed;
 use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1100, 480);
@@ -53,12 +54,7 @@ fn panel(
     let ranges = [0, 1].map(|axis| range_of(points.iter().map(|(p, _)| p[axis]), 1.0));
     let [x_range, y_range] = ranges;
     let ends = [y_range.start, y_range.end];
-    let mut chart = ChartBuilder::on(area)
-        .margin(px(8))
-        .margin_right(px(24))
-        .x_label_area_size(px(52))
-        .y_label_area_size(px(78))
-        .build_cartesian_2d(x_range, y_range)?;
+    let mut chart = framed(area, [78, 52, 24]).build_cartesian_2d(x_range, y_range)?;
     Axes { titles, labels: [9, 8], size: 17 }.draw(&mut chart)?;
     if let Some(x) = mark {
         let line = ends.map(|y| (x, y));

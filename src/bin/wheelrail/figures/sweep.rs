@@ -7,6 +7,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION, heading, px, text};
+use super::panel::framed;
 use super::{range_of, save};
 
 /// Width of the figure and height of one panel; width of the legend beside the curves, and from one
@@ -42,13 +43,8 @@ fn draw_panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<()> {
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let x = range_of(points().map(|point| point.0), 1e-9);
     let y = range_of(points().map(|point| point.1).chain([0.0]), 1e-9);
-    let mut chart = ChartBuilder::on(&area)
-        .caption(title, heading(17))
-        .margin(px(8))
-        .margin_right(px(18))
-        .x_label_area_size(px(46))
-        .y_label_area_size(px(80))
-        .build_cartesian_2d(x, y.clone())?;
+    let mut chart =
+        framed(&area, [80, 46, 18]).caption(title, heading(17)).build_cartesian_2d(x, y.clone())?;
     let titles = ["Place on the path: row of the table", ""];
     Axes { titles, labels: [10, 8], size: 14 }.draw(&mut chart)?;
     for (line, (curve, colour)) in (2..).zip(curves.iter().zip(COLOURS.into_iter().cycle())) {

@@ -7,6 +7,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, GRID, VERMILION, heading, px, text};
+use super::panel::framed;
 use super::{range_of, save};
 
 /// Width of one body's column and height of the figure [pixels].
@@ -49,12 +50,7 @@ fn panel(
     let all = || lines.iter().flat_map(|(_, points)| points.iter());
     let (x, y) = (range_of(all().map(|p| p.0), 1.0), range_of(all().map(|p| p.1), 1e-6));
     let y = if is_down { y.end..y.start } else { y };
-    let mut chart = ChartBuilder::on(area)
-        .margin(px(8))
-        .margin_right(px(24))
-        .x_label_area_size(px(52))
-        .y_label_area_size(px(86))
-        .build_cartesian_2d(x, y)?;
+    let mut chart = framed(area, [86, 52, 24]).build_cartesian_2d(x, y)?;
     Axes { titles: ["y [mm]", y_title], labels: [10, 10], size: 15 }.draw(&mut chart)?;
     for ((name, points), color) in lines.iter().zip([BLUE, VERMILION]) {
         let line = LineSeries::new(points.iter().copied(), color.stroke_width(px(2)));
