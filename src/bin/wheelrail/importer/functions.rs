@@ -1,40 +1,14 @@
 //! The functions of the C interface that the importer calls.
 #![allow(unsafe_code)]
 
-use std::ffi::{c_char, c_int, c_uint, c_void};
+use std::ffi::{c_char, c_int, c_uint};
 
 use anyhow::{Context, Result};
 use libloading::Library;
+use wheelrail::fmi::v2::types::{CallbackFunctions, Component};
 
-/// `fmi2Component`.
-pub type Component = *mut c_void;
-/// `fmi2Status`.
+/// `fmi2Status` as a number: a library may return any.
 pub type Status = c_int;
-
-/// `fmi2CallbackLogger` with its first variable argument, see [`super::logger::log`].
-pub type Logger = unsafe extern "C" fn(
-    *mut c_void,
-    *const c_char,
-    Status,
-    *const c_char,
-    *const c_char,
-    *const c_char,
-);
-
-/// `fmi2CallbackFunctions`.
-#[repr(C)]
-pub struct Callbacks {
-    /// Receives the messages.
-    pub logger: Logger,
-    /// Like `calloc`.
-    pub allocate_memory: unsafe extern "C" fn(usize, usize) -> *mut c_void,
-    /// Like `free`.
-    pub free_memory: unsafe extern "C" fn(*mut c_void),
-    /// Only for steps that run in the background, which are not asked for.
-    pub step_finished: Option<unsafe extern "C" fn(*mut c_void, Status)>,
-    /// Handed to the logger.
-    pub component_environment: *mut c_void,
-}
 
 type SetMany<T> = unsafe extern "C" fn(Component, *const c_uint, usize, *const T) -> Status;
 type GetMany<T> = unsafe extern "C" fn(Component, *const c_uint, usize, *mut T) -> Status;
@@ -66,7 +40,7 @@ macro_rules! functions {
 
 functions! {
     instantiate: "fmi2Instantiate" as unsafe extern "C" fn(
-        *const c_char, c_int, *const c_char, *const c_char, *const Callbacks, c_int, c_int,
+        *const c_char, c_int, *const c_char, *const c_char, *const CallbackFunctions, c_int, c_int,
     ) -> Component;
     free_instance: "fmi2FreeInstance" as unsafe extern "C" fn(Component);
     setup_experiment: "fmi2SetupExperiment" as

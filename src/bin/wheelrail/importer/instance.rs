@@ -4,16 +4,12 @@
 use std::ffi::{CString, c_char, c_int, c_void};
 
 use anyhow::{Context, Result, anyhow, bail};
+use wheelrail::fmi::v2::types::{CO_SIMULATION, CallbackFunctions, Component, FALSE, TRUE};
+use wheelrail::variables::{Kind, find};
 
 use super::archive::Fmu;
-use super::description::Kind;
-use super::functions::{Callbacks, Component, Status};
-use super::logger::{self, Messages, log};
-
-const FALSE: c_int = 0;
-const TRUE: c_int = 1;
-/// `fmi2CoSimulation`.
-const CO_SIMULATION: c_int = 1;
+use super::functions::Status;
+use super::logger::{self, Messages};
 
 /// An instance of a unit; freed when dropped.
 pub struct Instance<'fmu> {
@@ -22,7 +18,7 @@ pub struct Instance<'fmu> {
     component: Component,
     messages: Box<Messages>,
     /// The unit keeps a pointer to it.
-    _callbacks: Box<Callbacks>,
+    _callbacks: Box<CallbackFunctions>,
 }
 
 unsafe extern "C" fn allocate(count: usize, size: usize) -> *mut c_void {
@@ -39,10 +35,10 @@ impl<'fmu> Instance<'fmu> {
     /// Makes an instance called `name`.
     pub fn new(fmu: &'fmu Fmu, name: &str) -> Result<Self> {
         let messages = Box::new(Messages::default());
-        let callbacks = Box::new(Callbacks {
-            logger: log,
-            allocate_memory: allocate,
-            free_memory: release,
+        let callbacks = Box::new(CallbackFunctions {
+            logger: Some(logger::callback()),
+            allocate_memory: Some(allocate),
+            free_memory: Some(release),
             step_finished: None,
             component_environment: std::ptr::from_ref::<Messages>(&messages).cast_mut().cast(),
         });
@@ -71,66 +67,44 @@ impl<'fmu> Instance<'fmu> {
         Ok(Self { fmu, name: name.into(), component, messages, _callbacks: callbacks })
     }
 
-    /// Value references of the variables called `names`, in their order.
-    pub fn reals(&self, names: &[&str]) -> Result<Vec<u32>> {
-        names.iter().map(|name| self.reference(name, &Kind::Real)).collect()
-    }
-
-    /// Value reference of the Integer called `name`.
-    pub fn integer(&self, name: &str) -> Result<u32> {
-        self.reference(name, &Kind::Integer)
-    }
-
-    fn reference(&self, name: &str, kind: &Kind) -> Result<u32> {
-        let variable = self.fmu.description.variable(name)?;
-        if variable.kind != *kind {
-            bail!("\"{name}\" is of type {:?}, not {kind:?}", variable.kind);
-        }
-        Ok(variable.value_reference)
-    }
-
     /// Sets the variable called `name`, of any type, from `value` as text.
     pub fn set_text(&mut self, name: &str, value: &str) -> Result<()> {
-        let variable = self.fmu.description.variable(name)?;
-        let reference = [variable.value_reference];
+        let variable = find(name)?;
+        let reference = [variable.reference as u32];
         let what = || format!("{name} = \"{value}\"");
         let refused = |wanted: &str| anyhow!("{} is not admitted: {wanted}", what());
         let functions = &self.fmu.functions;
-        let status = match &variable.kind {
+        let (component, reference) = (self.component, reference.as_ptr());
+        // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
+        let set_integer = |value: c_int| unsafe {
+            (functions.set_integer)(component, reference, 1, [value].as_ptr())
+        };
+        let status = match variable.kind {
             Kind::Real => {
                 let value = [value.parse::<f64>().map_err(|_| refused("a number"))?];
                 // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
-                unsafe {
-                    (functions.set_real)(self.component, reference.as_ptr(), 1, value.as_ptr())
-                }
+                unsafe { (functions.set_real)(component, reference, 1, value.as_ptr()) }
             }
             Kind::Boolean => {
-                let value =
-                    [c_int::from(value.parse::<bool>().map_err(|_| refused("true or false"))?)];
+                let value = value.parse::<bool>().map_err(|_| refused("true or false"))?;
                 // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
                 unsafe {
-                    (functions.set_boolean)(self.component, reference.as_ptr(), 1, value.as_ptr())
+                    (functions.set_boolean)(component, reference, 1, [c_int::from(value)].as_ptr())
                 }
             }
-            Kind::Integer | Kind::Enumeration(_) => {
-                let value = [match &variable.kind {
-                    Kind::Enumeration(type_name) => {
-                        self.fmu.description.item(type_name, value).with_context(what)?
-                    }
-                    _ => value.parse::<c_int>().map_err(|_| refused("an integer"))?,
-                }];
-                // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
-                unsafe {
-                    (functions.set_integer)(self.component, reference.as_ptr(), 1, value.as_ptr())
-                }
+            Kind::Integer => set_integer(value.parse().map_err(|_| refused("an integer"))?),
+            Kind::Enumeration(of) => {
+                let item = of.items.iter().find(|item| item.name == value);
+                set_integer(item.map(|item| item.value).with_context(|| {
+                    let names: Vec<&str> = of.items.iter().map(|item| item.name).collect();
+                    format!("{}: \"{value}\" is not one of {}", what(), names.join(", "))
+                })?)
             }
-            Kind::String => {
+            Kind::Text => {
                 let value = text(value)?;
                 let values: [*const c_char; 1] = [value.as_ptr()];
                 // SAFETY: FMI 2.0, 2.1.7: one reference, one string, which the unit copies.
-                unsafe {
-                    (functions.set_string)(self.component, reference.as_ptr(), 1, values.as_ptr())
-                }
+                unsafe { (functions.set_string)(component, reference, 1, values.as_ptr()) }
             }
         };
         self.check(status, &what())
@@ -224,6 +198,11 @@ impl<'fmu> Instance<'fmu> {
         }
         bail!("{}", explained(&format!("{}: {what} failed", self.name), &self.messages))
     }
+}
+
+/// Value references of the variables called `names`, in their order.
+pub fn references(names: &[impl AsRef<str>]) -> Result<Vec<u32>> {
+    names.iter().map(|name| Ok(find(name.as_ref())?.reference as u32)).collect()
 }
 
 impl Drop for Instance<'_> {

@@ -1,13 +1,17 @@
 //! Where the messages of an instance go.
 #![allow(unsafe_code)]
 
-use std::ffi::{CStr, c_char, c_int, c_void};
+use std::ffi::{CStr, c_int};
 use std::sync::{Mutex, PoisonError};
 
-/// `fmi2Status` of a step that went well.
-pub const OK: c_int = 0;
-/// `fmi2Status` of a step that went on with a remark.
-pub const WARNING: c_int = 1;
+use wheelrail::fmi::v2::types::{CallbackLogger, ComponentEnvironment, Status, Text};
+
+/// Of a step that went well, and of one that went on with a remark.
+pub const OK: c_int = Status::Ok as c_int;
+pub const WARNING: c_int = Status::Warning as c_int;
+
+/// [`log`] with the arguments that it takes of a [`CallbackLogger`].
+type Logger = unsafe extern "C" fn(ComponentEnvironment, Text, c_int, Text, Text, Text);
 
 /// Messages kept of one instance; later ones are dropped, the first tell the cause.
 const KEPT: usize = 100;
@@ -30,18 +34,25 @@ impl Messages {
     }
 }
 
+/// [`log`] for the callbacks of an instance.
+pub fn callback() -> CallbackLogger {
+    // SAFETY: both are pointers to functions of C. The unit calls with the fixed arguments and, for
+    // "%s", with one more, which is where the last one of `log` is; else `log` does not read it.
+    unsafe { std::mem::transmute::<Logger, CallbackLogger>(log) }
+}
+
 /// `fmi2CallbackLogger`. `environment` is the [`Messages`] of the instance.
 ///
 /// The standard's logger takes a format and any number of arguments. Rust cannot define such a
 /// function; one argument is taken, which is what a unit sends that passes its messages through
 /// `"%s"`. Other formats are taken as messages without arguments.
-pub unsafe extern "C" fn log(
-    environment: *mut c_void,
-    _instance_name: *const c_char,
+unsafe extern "C" fn log(
+    environment: ComponentEnvironment,
+    _instance_name: Text,
     status: c_int,
-    _category: *const c_char,
-    message: *const c_char,
-    first_argument: *const c_char,
+    _category: Text,
+    message: Text,
+    first_argument: Text,
 ) {
     if status == OK || environment.is_null() || message.is_null() {
         return;

@@ -10,4 +10,4 @@ mod instance;
 mod logger;
 
 pub use archive::Fmu;
-pub use instance::Instance;
+pub use instance::{Instance, references};

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use wheelrail::element::output::{REPORTED_PATCHES, Wrench};
 use wheelrail::variables::find;
 
-use crate::importer::{Fmu, Instance};
+use crate::importer::{Fmu, Instance, references};
 use crate::wheelset::record::Patch;
 use crate::wheelset::{Moment, Wheel, WheelInput};
 
@@ -93,25 +93,22 @@ impl<'fmu> FmuWheel<'fmu> {
         let patch_names: Vec<String> = (1..=REPORTED_PATCHES)
             .flat_map(|k| PATCH.map(|name| format!("patch[{k}].{name}")))
             .collect();
-        let patch_names: Vec<&str> = patch_names.iter().map(String::as_str).collect();
+        let rail_names: Vec<String> =
+            (1..=REPORTED_PATCHES).map(|k| format!("patch[{k}].rail")).collect();
         let mut wheel = Self {
-            inputs: instance.reals(&INPUTS)?,
-            wrench: instance.reals(&WRENCH)?,
-            patch_count: instance.integer("patch_count")?,
-            patches: instance.reals(&patch_names)?,
-            patch_rails: (1..=REPORTED_PATCHES)
-                .map(|k| instance.integer(&format!("patch[{k}].rail")))
-                .collect::<Result<_>>()?,
+            inputs: references(&INPUTS)?,
+            wrench: references(&WRENCH)?,
+            patch_count: references(&["patch_count"])?[0],
+            patches: references(&patch_names)?,
+            patch_rails: references(&rail_names)?,
             instance,
             evaluations: 0,
             station,
         };
-        let start = wheel.instance.reals(&["track.s"])?;
-        wheel.instance.set_reals(&start, &[station])?;
+        wheel.instance.set_reals(&references(&["track.s"])?, &[station])?;
         // The starting position belongs to the side; the unit starts as a right wheel.
         if side == "left" {
-            let y = wheel.instance.reals(&["wheel.y"])?;
-            wheel.instance.set_reals(&y, &[-0.75])?;
+            wheel.instance.set_reals(&references(&["wheel.y"])?, &[-0.75])?;
         }
         wheel.instance.initialize()?;
         Ok(wheel)
@@ -119,9 +116,8 @@ impl<'fmu> FmuWheel<'fmu> {
 
     /// Height of the wheel marker at which the wheel touches, at the start position [m].
     pub fn touching_z(&mut self) -> Result<f64> {
-        let reference = self.instance.reals(&["nominal.wheel_z"])?;
         let mut value = [0.0];
-        self.instance.get_reals(&reference, &mut value)?;
+        self.instance.get_reals(&references(&["nominal.wheel_z"])?, &mut value)?;
         Ok(value[0])
     }
 
