@@ -21,7 +21,7 @@ use crate::planar_cases::PlanarCases;
 use crate::remarks::{Found, Remarks};
 use crate::{batch, models, output};
 
-use compared::{COLUMNS, Compared};
+use compared::Compared;
 use summary::Summary;
 
 /// Compare the models of each row of a table with the boundary element solution
@@ -80,11 +80,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut remarks = Remarks::default();
     let mut done = |(compared, found): (Compared, Found)| -> Result<()> {
         progress.suspend(|| remarks.tell(&found));
-        if written == 0 {
-            table.write_record(header.columns().chain(COLUMNS))?;
-        }
-        let cells = compared.cells();
-        table.write_record(inputs[written].iter().chain(&cells))?;
+        let given = header.columns().zip(inputs[written].iter().cloned());
+        table.write_named(&given.chain(compared.cells()).collect::<Vec<_>>())?;
         add_to_lines(&mut lines, header, &inputs, written, &compared);
         written += 1;
         summary.add(&compared);

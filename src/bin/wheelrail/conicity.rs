@@ -10,19 +10,6 @@ use crate::options::ContactOptions;
 use crate::remarks::{Found, Remarks};
 use crate::{figures, output};
 
-/// Columns of the table.
-const COLUMNS: [&str; 9] = [
-    "y_mm",
-    "difference_mm",
-    "radius_right_mm",
-    "radius_left_mm",
-    "wheel_y_right_mm",
-    "wheel_y_left_mm",
-    "rail_y_right_mm",
-    "rail_y_left_mm",
-    "conicity",
-];
-
 /// Rolling radius difference and equivalent conicity of a profile pair, by EN 15302
 ///
 /// The wheelset is shifted sideways on its track, rigid and without rolling about x, until each
@@ -77,9 +64,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         (amplitude > 0.5 * arguments.step).then(|| difference.equivalent_conicity(amplitude))?
     };
     let table = output::table(arguments.output.as_deref())?;
-    table.write_record(COLUMNS)?;
     for one in &radii {
-        table.write_record(cells(one, conicity(one.displacement)))?;
+        table.write_named(&cells(one, conicity(one.displacement)))?;
     }
     table.finish()?;
     if let Some(path) = &arguments.figure {
@@ -120,18 +106,18 @@ fn check(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-fn cells(radii: &RollingRadii, conicity: Option<f64>) -> [String; COLUMNS.len()] {
+fn cells(radii: &RollingRadii, conicity: Option<f64>) -> [(&'static str, String); 9] {
     // Rounded to 0.1 nm, which is what a contact point is known to.
     let mm = |value: f64| format!("{:.7}", 1e3 * value + 0.0);
     [
-        mm(radii.displacement),
-        mm(radii.difference()),
-        mm(radii.radius[0]),
-        mm(radii.radius[1]),
-        mm(radii.wheel_y[0]),
-        mm(radii.wheel_y[1]),
-        mm(radii.rail_y[0]),
-        mm(radii.rail_y[1]),
-        conicity.map_or(String::new(), |value| format!("{value:.6}")),
+        ("y_mm", mm(radii.displacement)),
+        ("difference_mm", mm(radii.difference())),
+        ("radius_right_mm", mm(radii.radius[0])),
+        ("radius_left_mm", mm(radii.radius[1])),
+        ("wheel_y_right_mm", mm(radii.wheel_y[0])),
+        ("wheel_y_left_mm", mm(radii.wheel_y[1])),
+        ("rail_y_right_mm", mm(radii.rail_y[0])),
+        ("rail_y_left_mm", mm(radii.rail_y[1])),
+        ("conicity", conicity.map_or(String::new(), |value| format!("{value:.6}"))),
     ]
 }

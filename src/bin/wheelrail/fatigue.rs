@@ -246,24 +246,22 @@ fn passages(cases: &Cases, row: &Row) -> Result<f64> {
 
 fn write_map(path: &Path, map: &FatigueMap, profile: &BodyProfile) -> Result<()> {
     let table = output::table(Some(path))?;
-    table.write_record([
-        "arc_mm",
-        "y_mm",
-        "z_mm",
-        "depth_mm",
-        "dang_van_mpa",
-        "orthogonal_shear_mpa",
-        "passages_beyond_endurance",
-        "passages_plastic",
-    ])?;
     let depths = map.depths();
     for (k, cell) in map.cells().iter().enumerate() {
         let (arc, depth) = (map.arcs()[k / depths.len()], depths[k % depths.len()]);
         let [y, z] = profile.curve.at(arc).point;
-        let lengths = [arc - profile.origin, y, z, depth].map(|x| format!("{:.4}", 1e3 * x));
-        let stresses = [cell.dang_van, cell.shear].map(|s| format!("{:.3}", 1e-6 * s));
-        let counts = [cell.beyond_endurance, cell.plastic].map(|n| format!("{n}"));
-        table.write_record(lengths.into_iter().chain(stresses).chain(counts))?;
+        let length = |x: f64| format!("{:.4}", 1e3 * x);
+        let stress = |s: f64| format!("{:.3}", 1e-6 * s);
+        table.write_named(&[
+            ("arc_mm", length(arc - profile.origin)),
+            ("y_mm", length(y)),
+            ("z_mm", length(z)),
+            ("depth_mm", length(depth)),
+            ("dang_van_mpa", stress(cell.dang_van)),
+            ("orthogonal_shear_mpa", stress(cell.shear)),
+            ("passages_beyond_endurance", cell.beyond_endurance.to_string()),
+            ("passages_plastic", cell.plastic.to_string()),
+        ])?;
     }
     table.finish()
 }

@@ -57,18 +57,6 @@ pub struct Arguments {
     pub settings: Vec<(String, String)>,
 }
 
-/// Columns of the table of the fit.
-const COLUMNS: [&str; 8] = [
-    "creepage_longitudinal",
-    "creepage_lateral",
-    "spin_per_mm",
-    "load_n",
-    "speed_m_s",
-    "adhesion",
-    "fitted",
-    "misfit",
-];
-
 /// Fits, says what was found and writes table and figure.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let mut names = arguments.parameters.clone();
@@ -158,20 +146,19 @@ fn told(fit: &Fit, points: usize) -> String {
 
 fn write_table(path: &Path, points: &Points, fit: &Fit) -> Result<()> {
     let table = output::table(Some(path))?;
-    table.write_record(COLUMNS)?;
     for (point, fitted) in points.all.iter().zip(&fit.adhesion) {
         let [longitudinal, lateral, spin] = point.creepage;
         let numbers = [
-            longitudinal,
-            lateral,
-            1e-3 * spin,
-            point.load,
-            point.speed,
-            point.adhesion,
-            *fitted,
-            fitted - point.adhesion,
+            ("creepage_longitudinal", longitudinal),
+            ("creepage_lateral", lateral),
+            ("spin_per_mm", 1e-3 * spin),
+            ("load_n", point.load),
+            ("speed_m_s", point.speed),
+            ("adhesion", point.adhesion),
+            ("fitted", *fitted),
+            ("misfit", fitted - point.adhesion),
         ];
-        table.write_record(numbers.map(|number| format!("{number:?}")))?;
+        table.write_named(&numbers.map(|(name, number)| (name, format!("{number:?}"))))?;
     }
     table.finish()
 }

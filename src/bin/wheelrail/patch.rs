@@ -10,21 +10,6 @@ use crate::options::TableFiles;
 use crate::output;
 use crate::planar_cases::{Case, PlanarCases, timed};
 
-/// Results, in the order of their columns.
-const RESULTS: [&str; 11] = [
-    "normal_force_n",
-    "max_pressure_mpa",
-    "area_mm2",
-    "length_mm",
-    "width_mm",
-    "fx_n",
-    "fy_n",
-    "mz_nmm",
-    "patches",
-    "fallback",
-    "time_us",
-];
-
 /// Solve planar contact problems, one for every row of a table
 ///
 /// A planar problem is the separation f(y) of two bodies across the rolling direction, a rolling
@@ -62,7 +47,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let cases = arguments.files.cases.as_path();
     output::check_names(planar.separation_files().chain([cases]), [path])?;
     let table = output::table(path)?;
-    let mut header_due = true;
     let progress = output::progress(Some(planar.cases.len()), path)?;
     // Times of fast models are those of a machine that does nothing else.
     let slow = planar.cases.iter().any(Case::is_slow);
@@ -72,11 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         || (),
         |(), case| timed(&planar.planar(case), case.is_slow()).context(case.place.clone()),
         |(result, time)| {
-            // Only now, so that a table that cannot be solved leaves nothing but its error.
-            if std::mem::take(&mut header_due) {
-                table.write_record(RESULTS)?;
-            }
-            table.write_record(cells(&result, time))?;
+            table.write_named(&cells(&result, time))?;
             progress.inc(1);
             Ok(())
         },
@@ -85,20 +65,20 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     table.complete(result)
 }
 
-fn cells(result: &PlanarResult, time: f64) -> [String; RESULTS.len()] {
+fn cells(result: &PlanarResult, time: f64) -> [(&'static str, String); 11] {
     let number = |value: f64| format!("{value:?}");
     [
-        number(result.normal_force),
-        number(1e-6 * result.max_pressure),
-        number(1e6 * result.area),
-        number(1e3 * result.length),
-        number(1e3 * result.width),
-        number(result.fx),
-        number(result.fy),
-        number(1e3 * result.mz),
-        result.patches.to_string(),
+        ("normal_force_n", number(result.normal_force)),
+        ("max_pressure_mpa", number(1e-6 * result.max_pressure)),
+        ("area_mm2", number(1e6 * result.area)),
+        ("length_mm", number(1e3 * result.length)),
+        ("width_mm", number(1e3 * result.width)),
+        ("fx_n", number(result.fx)),
+        ("fy_n", number(result.fy)),
+        ("mz_nmm", number(1e3 * result.mz)),
+        ("patches", result.patches.to_string()),
         // A number like all other columns.
-        u8::from(result.fallback).to_string(),
-        format!("{:.2}", 1e6 * time),
+        ("fallback", u8::from(result.fallback).to_string()),
+        ("time_us", format!("{:.2}", 1e6 * time)),
     ]
 }

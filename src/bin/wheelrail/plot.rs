@@ -223,22 +223,10 @@ fn figure(
 
 fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
     let table = output::table(Some(path))?;
-    table.write_record([
-        "models",
-        "zone",
-        "x_mm",
-        "y_mm",
-        "pressure_mpa",
-        "traction_x_mpa",
-        "traction_y_mpa",
-        "slip_x",
-        "slip_y",
-        "state",
-    ])?;
     for side in sides {
         for (zone, field) in side.fields.iter().enumerate() {
             for (k, &pressure) in field.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-                table.write_record(field_row(&side.name, zone, field, k, pressure))?;
+                table.write_named(&field_row(&side.name, zone, field, k, pressure))?;
             }
         }
     }
@@ -251,27 +239,30 @@ fn field_row(
     field: &ContactField,
     k: usize,
     pressure: f64,
-) -> [String; 10] {
+) -> [(&'static str, String); 10] {
     let (grid, [px, py]) = (&field.grid, field.traction[k]);
     let number = |value: f64| format!("{value:.6}");
     let slip = |c: usize| {
         field.slip.as_ref().map_or_else(String::new, |slip| format!("{:.6e}", slip[k][c]))
     };
     [
-        models.into(),
-        (zone + 1).to_string(),
-        number(1e3 * grid.x(k % grid.along)),
-        number(1e3 * grid.y(k / grid.along)),
-        number(1e-6 * pressure),
-        number(1e-6 * px),
-        number(1e-6 * py),
-        slip(0),
-        slip(1),
-        match field.adherence[k] {
-            Adherence::None => "none",
-            Adherence::Adhesion => "adhesion",
-            Adherence::Slip => "slip",
-        }
-        .into(),
+        ("models", models.into()),
+        ("zone", (zone + 1).to_string()),
+        ("x_mm", number(1e3 * grid.x(k % grid.along))),
+        ("y_mm", number(1e3 * grid.y(k / grid.along))),
+        ("pressure_mpa", number(1e-6 * pressure)),
+        ("traction_x_mpa", number(1e-6 * px)),
+        ("traction_y_mpa", number(1e-6 * py)),
+        ("slip_x", slip(0)),
+        ("slip_y", slip(1)),
+        (
+            "state",
+            match field.adherence[k] {
+                Adherence::None => "none",
+                Adherence::Adhesion => "adhesion",
+                Adherence::Slip => "slip",
+            }
+            .into(),
+        ),
     ]
 }

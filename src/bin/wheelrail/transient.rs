@@ -20,28 +20,6 @@ const MOTION: [&str; 7] = [
     "steps",
 ];
 
-/// Results, in the order of their columns.
-const RESULTS: [&str; 18] = [
-    "row",
-    "distance_mm",
-    "normal_force_n",
-    "max_pressure_mpa",
-    "area_mm2",
-    "length_mm",
-    "width_mm",
-    "fx_n",
-    "fy_n",
-    "mz_nmm",
-    "patches",
-    "displacement_x_mm",
-    "displacement_y_mm",
-    "turn_rad",
-    "friction_work_j",
-    "substeps",
-    "sweeps",
-    "converged",
-];
-
 /// Most steps of one row.
 const MAX_STEPS: f64 = 1e6;
 
@@ -95,7 +73,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let out = output::table(path)?;
     let total: usize = motions.iter().map(|(_, steps)| steps).sum();
     let progress = output::progress(Some(total), path)?;
-    let mut header_due = true;
     let mut go = || -> Result<()> {
         let mut distance = 0.0;
         for (n, (case, (motion, steps))) in states.cases.iter().zip(&motions).enumerate() {
@@ -103,11 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             for _ in 0..*steps {
                 let found = contact.step(&planar, motion).with_context(|| case.place.clone())?;
                 distance += motion.rolled;
-                // Only now, so that a table that cannot be solved leaves nothing but its error.
-                if std::mem::take(&mut header_due) {
-                    out.write_record(RESULTS)?;
-                }
-                out.write_record(cells(n + 1, distance, &found))?;
+                out.write_named(&cells(n + 1, distance, &found))?;
                 progress.inc(1);
             }
         }
@@ -143,28 +116,28 @@ fn motion(table: &Cases, row: &Row) -> Result<(StepMotion, usize)> {
     Ok((motion, steps as usize))
 }
 
-fn cells(row: usize, distance: f64, found: &TransientResult) -> [String; RESULTS.len()] {
+fn cells(row: usize, distance: f64, found: &TransientResult) -> [(&'static str, String); 18] {
     let number = |value: f64| format!("{value:?}");
     let contact = &found.contact;
     let [x, y, turn] = found.displacement;
     [
-        row.to_string(),
-        number(1e3 * distance),
-        number(contact.normal_force),
-        number(1e-6 * contact.max_pressure),
-        number(1e6 * contact.area),
-        number(1e3 * contact.length),
-        number(1e3 * contact.width),
-        number(contact.fx),
-        number(contact.fy),
-        number(1e3 * contact.mz),
-        contact.patches.to_string(),
-        number(1e3 * x),
-        number(1e3 * y),
-        number(turn),
-        number(found.work),
-        found.substeps.to_string(),
-        found.sweeps.to_string(),
-        u8::from(found.converged).to_string(),
+        ("row", row.to_string()),
+        ("distance_mm", number(1e3 * distance)),
+        ("normal_force_n", number(contact.normal_force)),
+        ("max_pressure_mpa", number(1e-6 * contact.max_pressure)),
+        ("area_mm2", number(1e6 * contact.area)),
+        ("length_mm", number(1e3 * contact.length)),
+        ("width_mm", number(1e3 * contact.width)),
+        ("fx_n", number(contact.fx)),
+        ("fy_n", number(contact.fy)),
+        ("mz_nmm", number(1e3 * contact.mz)),
+        ("patches", contact.patches.to_string()),
+        ("displacement_x_mm", number(1e3 * x)),
+        ("displacement_y_mm", number(1e3 * y)),
+        ("turn_rad", number(turn)),
+        ("friction_work_j", number(found.work)),
+        ("substeps", found.substeps.to_string()),
+        ("sweeps", found.sweeps.to_string()),
+        ("converged", u8::from(found.converged).to_string()),
     ]
 }

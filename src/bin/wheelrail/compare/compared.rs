@@ -40,40 +40,6 @@ pub struct Compared {
     pub friction: f64,
 }
 
-/// The columns of the result.
-pub const COLUMNS: [&str; 30] = [
-    "normal_force_n",
-    "reference_normal_force_n",
-    "normal_force_error_percent",
-    "max_pressure_mpa",
-    "reference_max_pressure_mpa",
-    "max_pressure_error_percent",
-    "area_mm2",
-    "reference_area_mm2",
-    "area_error_percent",
-    "fx_n",
-    "fy_n",
-    "fz_n",
-    "reference_fx_n",
-    "reference_fy_n",
-    "reference_fz_n",
-    "creep_force_error_percent",
-    "spin_moment_error_percent",
-    "patches",
-    "reference_patches",
-    "fallback",
-    "reference_fallback",
-    "time_us",
-    "reference_time_us",
-    "reference_normal_force_uncertainty_percent",
-    "reference_max_pressure_uncertainty_percent",
-    "reference_area_uncertainty_percent",
-    "reference_creep_force_uncertainty_percent",
-    "reference_normals_turn_deg",
-    "reference_normal_residual",
-    "reference_tangential_residual",
-];
-
 impl Compared {
     /// Errors of normal force, pressure, area, creep force and spin moment [%]; nothing where the
     /// reference has none to refer to.
@@ -106,8 +72,8 @@ impl Compared {
         ]
     }
 
-    /// The cells of the result, in the order of [`COLUMNS`].
-    pub fn cells(&self) -> [String; COLUMNS.len()] {
+    /// The cells of the result with the names of their columns.
+    pub fn cells(&self) -> [(&'static str, String); 30] {
         let number = |value: f64| format!("{value:?}");
         let error = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v:.4}"));
         let [n, p, a, f, m] = self.errors().map(error);
@@ -120,36 +86,36 @@ impl Compared {
             residuals.map(|residual| format!("{residual:.1e}"))
         });
         [
-            number(own.normal_force),
-            number(reference.normal_force),
-            n,
-            number(1e-6 * own.max_pressure),
-            number(1e-6 * reference.max_pressure),
-            p,
-            number(1e6 * own.area),
-            number(1e6 * reference.area),
-            a,
-            fx,
-            fy,
-            fz,
-            rx,
-            ry,
-            rz,
-            f,
-            m,
-            own.patches.to_string(),
-            reference.patches.to_string(),
-            u8::from(own.fallback).to_string(),
-            u8::from(reference.fallback).to_string(),
-            format!("{:.2}", 1e6 * own.time),
-            format!("{:.2}", 1e6 * reference.time),
-            un,
-            up,
-            ua,
-            uf,
-            turn,
-            gap,
-            slip,
+            ("normal_force_n", number(own.normal_force)),
+            ("reference_normal_force_n", number(reference.normal_force)),
+            ("normal_force_error_percent", n),
+            ("max_pressure_mpa", number(1e-6 * own.max_pressure)),
+            ("reference_max_pressure_mpa", number(1e-6 * reference.max_pressure)),
+            ("max_pressure_error_percent", p),
+            ("area_mm2", number(1e6 * own.area)),
+            ("reference_area_mm2", number(1e6 * reference.area)),
+            ("area_error_percent", a),
+            ("fx_n", fx),
+            ("fy_n", fy),
+            ("fz_n", fz),
+            ("reference_fx_n", rx),
+            ("reference_fy_n", ry),
+            ("reference_fz_n", rz),
+            ("creep_force_error_percent", f),
+            ("spin_moment_error_percent", m),
+            ("patches", own.patches.to_string()),
+            ("reference_patches", reference.patches.to_string()),
+            ("fallback", u8::from(own.fallback).to_string()),
+            ("reference_fallback", u8::from(reference.fallback).to_string()),
+            ("time_us", format!("{:.2}", 1e6 * own.time)),
+            ("reference_time_us", format!("{:.2}", 1e6 * reference.time)),
+            ("reference_normal_force_uncertainty_percent", un),
+            ("reference_max_pressure_uncertainty_percent", up),
+            ("reference_area_uncertainty_percent", ua),
+            ("reference_creep_force_uncertainty_percent", uf),
+            ("reference_normals_turn_deg", turn),
+            ("reference_normal_residual", gap),
+            ("reference_tangential_residual", slip),
         ]
     }
 }

@@ -72,40 +72,24 @@ pub fn at_wheel(
 /// Writes a row for each contact to standard output.
 pub fn write(all: &[Found]) -> Result<()> {
     let table = output::table(None)?;
-    table.write_record([
-        "row",
-        "rail",
-        "contact",
-        "p0_mpa",
-        "p0_over_k",
-        "used_friction",
-        "elastic_limit",
-        "shakedown_limit",
-        "response",
-        "surface_index",
-        "subsurface_index_mpa",
-        "dang_van_mpa",
-        "dang_van_y_mm",
-        "dang_van_depth_mm",
-    ])?;
     for Found { row, contact, rail, fatigue, .. } in all {
         let number = |value: f64| format!("{value:.5}");
         let [y, depth] = fatigue.dang_van.place;
-        table.write_record([
-            row.to_string(),
-            rail.to_string(),
-            contact.to_string(),
-            format!("{:.3}", 1e-6 * fatigue.max_pressure),
-            number(fatigue.load_factor),
-            number(fatigue.used_friction),
-            number(fatigue.elastic_limit),
-            number(fatigue.shakedown_limit),
-            fatigue.response.name().to_owned(),
-            number(fatigue.surface_index),
-            format!("{:.3}", 1e-6 * fatigue.subsurface_index),
-            format!("{:.3}", 1e-6 * fatigue.dang_van.value),
-            format!("{:.4}", 1e3 * y),
-            format!("{:.4}", 1e3 * depth),
+        table.write_named(&[
+            ("row", row.to_string()),
+            ("rail", rail.to_string()),
+            ("contact", contact.to_string()),
+            ("p0_mpa", format!("{:.3}", 1e-6 * fatigue.max_pressure)),
+            ("p0_over_k", number(fatigue.load_factor)),
+            ("used_friction", number(fatigue.used_friction)),
+            ("elastic_limit", number(fatigue.elastic_limit)),
+            ("shakedown_limit", number(fatigue.shakedown_limit)),
+            ("response", fatigue.response.name().to_owned()),
+            ("surface_index", number(fatigue.surface_index)),
+            ("subsurface_index_mpa", format!("{:.3}", 1e-6 * fatigue.subsurface_index)),
+            ("dang_van_mpa", format!("{:.3}", 1e-6 * fatigue.dang_van.value)),
+            ("dang_van_y_mm", format!("{:.4}", 1e3 * y)),
+            ("dang_van_depth_mm", format!("{:.4}", 1e3 * depth)),
         ])?;
     }
     table.finish()

@@ -59,8 +59,6 @@ pub struct Arguments {
 const MAX_SPEEDS: u32 = 10_000;
 /// The critical speed is found to this [m/s].
 const RESOLUTION: f64 = 1e-6;
-const COLUMNS: [&str; 5] = ["speed_m_s", "number", "growth_1_s", "frequency_hz", "damping_ratio"];
-
 /// Computes the table and, if asked for, draws the figure.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
@@ -92,10 +90,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let roots: Vec<Roots> = (0..arguments.speeds).map(|i| at(speed(i))).collect::<Result<_>>()?;
     let critical = critical_speed(&roots, &mut at)?;
     let table = output::table(arguments.output.as_deref())?;
-    table.write_record(COLUMNS)?;
     for one in &roots {
         for (number, value) in one.values.iter().enumerate() {
-            table.write_record(cells(one.speed, number + 1, *value))?;
+            table.write_named(&cells(one.speed, number + 1, *value))?;
         }
     }
     table.finish()?;
@@ -166,15 +163,15 @@ fn told(roots: &[Roots], critical: Option<f64>) -> String {
     }
 }
 
-fn cells(speed: f64, number: usize, value: Complex<f64>) -> [String; COLUMNS.len()] {
+fn cells(speed: f64, number: usize, value: Complex<f64>) -> [(&'static str, String); 5] {
     let size = value.norm();
     let ratio = if size > 0.0 { -value.re / size } else { 0.0 };
     [
-        speed.to_string(),
-        number.to_string(),
-        format!("{:.6e}", value.re),
-        format!("{:.6e}", value.im / std::f64::consts::TAU),
-        format!("{ratio:.6}"),
+        ("speed_m_s", speed.to_string()),
+        ("number", number.to_string()),
+        ("growth_1_s", format!("{:.6e}", value.re)),
+        ("frequency_hz", format!("{:.6e}", value.im / std::f64::consts::TAU)),
+        ("damping_ratio", format!("{ratio:.6}")),
     ]
 }
 

@@ -68,6 +68,19 @@ impl Table {
         self.write_line(&line(cells)?)
     }
 
+    /// Appends a line of cells, each with the name of its column; the names come before the first
+    /// line, so that a table of which there is none leaves nothing but its error.
+    pub fn write_named(&self, cells: &[(impl AsRef<[u8]>, impl AsRef<[u8]>)]) -> Result<()> {
+        let is_first = {
+            let lines = self.lines();
+            lines.held_back_count + lines.written_count == 0
+        };
+        if is_first {
+            self.write_record(cells.iter().map(|(name, _)| name))?;
+        }
+        self.write_record(cells.iter().map(|(_, cell)| cell))
+    }
+
     /// Appends a line that has its end.
     pub fn write_line(&self, line: &[u8]) -> Result<()> {
         let mut lines = self.lines();

@@ -13,84 +13,59 @@ const LISTED_PATCHES: usize = 3;
 /// Writes `records` as a table with units in the header.
 pub fn write(path: &Path, records: &[Record]) -> Result<()> {
     let table = output::table(Some(path))?;
-    table.write_record(header())?;
-    records.iter().try_for_each(|record| table.write_record(row(record)))?;
+    records.iter().try_for_each(|record| table.write_named(&row(record)))?;
     table.finish()
 }
 
-fn header() -> Vec<String> {
-    let mut names: Vec<String> = [
-        "time_s",
-        "distance_m",
-        "track_y_mm",
-        "y_mm",
-        "z_mm",
-        "roll_mrad",
-        "yaw_mrad",
-        "pitch_rate_rad_s",
-    ]
-    .map(String::from)
-    .into();
-    for side in SIDES {
-        for name in ["force_x_n", "force_y_n", "force_z_n"] {
-            names.push(format!("{side}_{name}"));
-        }
-        for name in ["moment_x_nm", "moment_y_nm", "moment_z_nm", "patch_count"] {
-            names.push(format!("{side}_{name}"));
-        }
-        for patch in 1..=LISTED_PATCHES {
-            for name in [
-                "normal_force_n",
-                "contact_angle_deg",
-                "rail_y_mm",
-                "wheel_y_mm",
-                "width_mm",
-                "position_y_mm",
-                "rolling_radius_mm",
-            ] {
-                names.push(format!("{side}_patch{patch}_{name}"));
-            }
-        }
-    }
-    names
-}
-
-fn row(record: &Record) -> Vec<String> {
+/// The cells of a row with the names of their columns.
+fn row(record: &Record) -> Vec<(String, String)> {
     let state = &record.state;
-    let mut cells: Vec<String> = [
-        record.time,
-        state.distance,
-        1e3 * record.track_y,
-        1e3 * state.y,
-        1e3 * state.z,
-        1e3 * state.roll,
-        1e3 * state.yaw,
-        state.pitch_rate,
+    let mut cells: Vec<(String, String)> = [
+        ("time_s", record.time),
+        ("distance_m", state.distance),
+        ("track_y_mm", 1e3 * record.track_y),
+        ("y_mm", 1e3 * state.y),
+        ("z_mm", 1e3 * state.z),
+        ("roll_mrad", 1e3 * state.roll),
+        ("yaw_mrad", 1e3 * state.yaw),
+        ("pitch_rate_rad_s", state.pitch_rate),
     ]
-    .map(significant)
+    .map(|(name, value)| (name.to_owned(), significant(value)))
     .into();
-    for (wrench, patches) in record.wrenches.iter().zip(&record.patches) {
-        cells.extend(wrench.force.map(significant));
-        cells.extend(wrench.moment.map(significant));
-        cells.push(patches.len().to_string());
+    for ((side, wrench), patches) in SIDES.iter().zip(&record.wrenches).zip(&record.patches) {
+        for (of, unit, vector) in [("force", "n", wrench.force), ("moment", "nm", wrench.moment)] {
+            let axes = ["x", "y", "z"].into_iter().zip(vector);
+            cells.extend(
+                axes.map(|(axis, value)| {
+                    (format!("{side}_{of}_{axis}_{unit}"), significant(value))
+                }),
+            );
+        }
+        cells.push((format!("{side}_patch_count"), patches.len().to_string()));
         for index in 0..LISTED_PATCHES {
-            let patch = patches.get(index);
+            let number = index + 1;
             // A patch that does not exist leaves its cells empty: it is nowhere.
-            cells.extend(patch.map_or_else(|| vec![String::new(); 7], patch_cells));
+            let text =
+                |value| if index < patches.len() { significant(value) } else { String::new() };
+            let patch = patches.get(index).copied().unwrap_or_default();
+            cells.extend(
+                of_patch(&patch)
+                    .map(|(name, value)| (format!("{side}_patch{number}_{name}"), text(value))),
+            );
         }
     }
     cells
 }
 
-fn patch_cells(patch: &Patch) -> Vec<String> {
-    vec![
-        significant(patch.normal_force),
-        significant(patch.contact_angle.to_degrees()),
-        significant(1e3 * patch.rail_y),
-        significant(1e3 * patch.wheel_y),
-        significant(1e3 * patch.width),
-        significant(1e3 * patch.position_y),
-        significant(1e3 * patch.rolling_radius),
+fn of_patch(patch: &Patch) -> [(&'static str, f64); 7] {
+    [
+        ("normal_force_n", patch.normal_force),
+        ("contact_angle_deg", patch.contact_angle.to_degrees()),
+        ("rail_y_mm", 1e3 * patch.rail_y),
+        ("wheel_y_mm", 1e3 * patch.wheel_y),
+        ("width_mm", 1e3 * patch.width),
+        ("position_y_mm", 1e3 * patch.position_y),
+        ("rolling_radius_mm", 1e3 * patch.rolling_radius),
     ]
 }
 
@@ -106,22 +81,7 @@ fn significant(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use wheelrail::element::output::Wrench;
-
     use super::*;
-    use crate::wheelset::body::State;
-
-    #[test]
-    fn every_row_has_as_many_cells_as_the_header() {
-        let record = Record {
-            time: 0.1,
-            track_y: 0.0,
-            state: State::default(),
-            wrenches: [Wrench::default(); 2],
-            patches: [vec![Patch::default(); 5], vec![]],
-        };
-        assert_eq!(row(&record).len(), header().len());
-    }
 
     #[test]
     fn numbers_keep_nine_digits() {
