@@ -172,6 +172,15 @@ impl Cases {
         Ok(Self { header: reader.header.clone(), rows: reader.collect::<Result<_>>()? })
     }
 
+    /// Reads the file `path`, which has to have a row number `row`, from 1.
+    pub fn with_row(path: &Path, row: usize) -> Result<Self> {
+        let cases = Self::read(path)?;
+        if row == 0 || row > cases.rows.len() {
+            bail!("--row {row}: {} has rows 1 to {}", path.display(), cases.rows.len());
+        }
+        Ok(cases)
+    }
+
     /// The header.
     pub fn header(&self) -> &Header {
         &self.header

@@ -91,8 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut own_models: Vec<String>;
     let cores = batch::all_cores();
     let result = if cases.column("separation").is_some() {
-        let planar = PlanarCases::read(&cases)?;
-        output::check_names(planar.separation_files(), outputs)?;
+        let planar = PlanarCases::read(&cases, &outputs)?;
         let all = planar.cases.iter().map(|case| planar.planar(case));
         own_models = all.map(|c| models::names(c.normal_model, c.tangential_model)).collect();
         batch::in_order(

@@ -108,9 +108,7 @@ impl Arguments {
     }
 
     fn check(&self) -> Result<()> {
-        if self.output.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
-            bail!("{}: figures are SVG; write a name that ends in .svg", self.output.display());
-        }
+        output::check_figure(&self.output)?;
         if !(self.step > 0.0 && self.depth >= self.step && self.depth <= 100.0) {
             bail!(
                 "--depth {} --step {}: a depth up to 100 mm, in steps that are not longer",
@@ -157,8 +155,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn planar(arguments: &Arguments, cases: &Cases, strength: &Strength) -> Result<Vec<Found>> {
-    let problems = PlanarCases::read(cases)?;
-    output::check_names(problems.separation_files(), [Some(arguments.output.as_path())])?;
+    let problems = PlanarCases::read(cases, &[Some(arguments.output.as_path())])?;
     let progress = output::progress(Some(problems.cases.len()), None)?;
     let mut found = Vec::new();
     let result = batch::in_order(

@@ -23,6 +23,14 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     write_whole(path, content).with_context(|| cannot_write(path))
 }
 
+/// Refuses the name of a figure that is none of an SVG.
+pub fn check_figure(path: &Path) -> Result<()> {
+    if path.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
+        bail!("{}: figures are SVG; write a name that ends in .svg", path.display());
+    }
+    Ok(())
+}
+
 /// Writes a text to standard output.
 pub fn say(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();

@@ -43,9 +43,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let cases = Cases::read(&arguments.files.cases)?;
     let path = arguments.files.output.as_deref();
-    let planar = PlanarCases::read(&cases)?;
-    let cases = arguments.files.cases.as_path();
-    output::check_names(planar.separation_files().chain([cases]), [path])?;
+    output::check_names([arguments.files.cases.as_path()], [path])?;
+    let planar = PlanarCases::read(&cases, &[path])?;
     let table = output::table(path)?;
     let progress = output::progress(Some(planar.cases.len()), path)?;
     // Times of fast models are those of a machine that does nothing else.

@@ -15,6 +15,7 @@ pub use separation::number;
 pub use timed::timed;
 
 use crate::cases::Cases;
+use crate::output;
 
 /// All cases of a table with their separations.
 pub struct PlanarCases {
@@ -24,15 +25,19 @@ pub struct PlanarCases {
 }
 
 impl PlanarCases {
-    /// Reads the cases and the files they name.
-    pub fn read(cases: &Cases) -> Result<Self> {
-        Self::read_with(cases, &[])
+    /// Reads the cases and the files they name, none of which is one of `results`.
+    pub fn read(cases: &Cases, results: &[Option<&Path>]) -> Result<Self> {
+        Self::read_with(cases, &[], results)
     }
 
     /// The same, with boundary elements where the table names no models, of a table with `others`
     /// among its columns.
-    pub fn of_boundary_elements(cases: &Cases, others: &[&str]) -> Result<Self> {
-        let mut all = Self::read_with(cases, others)?;
+    pub fn of_boundary_elements(
+        cases: &Cases,
+        others: &[&str],
+        results: &[Option<&Path>],
+    ) -> Result<Self> {
+        let mut all = Self::read_with(cases, others, results)?;
         let [normal, tangential] =
             ["normal_model", "tangential_model"].map(|name| cases.column(name));
         for (case, row) in all.cases.iter_mut().zip(cases.rows()) {
@@ -42,7 +47,7 @@ impl PlanarCases {
         Ok(all)
     }
 
-    fn read_with(cases: &Cases, others: &[&str]) -> Result<Self> {
+    fn read_with(cases: &Cases, others: &[&str], results: &[Option<&Path>]) -> Result<Self> {
         columns::check(cases, others)?;
         let mut all = Self { cases: Vec::new(), separations: HashMap::new() };
         for row in cases.rows() {
@@ -54,12 +59,16 @@ impl PlanarCases {
             }
             all.cases.push(case);
         }
+        let files = all.separations.keys().map(PathBuf::as_path);
+        output::check_names(files, results.iter().copied())?;
         Ok(all)
     }
 
-    /// The files of the separations.
-    pub fn separation_files(&self) -> impl Iterator<Item = &Path> {
-        self.separations.keys().map(PathBuf::as_path)
+    /// The case in row number `row`, from 1, and what it is called in titles.
+    pub fn row(&self, row: usize) -> (PlanarCase<'_>, String) {
+        let case = &self.cases[row - 1];
+        let name = case.separation.file_name().unwrap_or(case.separation.as_os_str());
+        (self.planar(case), format!("{}, row {row}", name.display()))
     }
 
     /// A case with the points of its separation.

@@ -72,9 +72,7 @@ pub struct Arguments {
 
 /// Draws the case.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    if arguments.output.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
-        bail!("{}: figures are SVG; write a name that ends in .svg", arguments.output.display());
-    }
+    output::check_figure(&arguments.output)?;
     let read = [&arguments.worn_wheel, &arguments.worn_rail].into_iter().flatten().map(Path::new);
     let read = read.chain([&arguments.unworn_wheel, &arguments.unworn_rail].map(Path::new));
     let read = read.chain(arguments.cases.as_deref());
@@ -91,17 +89,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             fields: arguments.fields.as_deref(),
         });
     };
-    let cases = Cases::read(path)?;
-    if arguments.row == 0 || arguments.row > cases.rows().len() {
-        bail!("--row {}: {} has rows 1 to {}", arguments.row, path.display(), cases.rows().len());
-    }
+    let cases = Cases::with_row(path, arguments.row)?;
     if cases.column("separation").is_some() {
-        let planar = PlanarCases::read(&cases)?;
-        output::check_names(planar.separation_files(), outputs)?;
-        let case = &planar.cases[arguments.row - 1];
-        let name = case.separation.file_name().unwrap_or(case.separation.as_os_str());
-        let title = format!("{}, row {}", name.display(), arguments.row);
-        draw(arguments, &figure(&planar.planar(case), title, Vec::new(), 0, false)?)
+        let planar = PlanarCases::read(&cases, &outputs)?;
+        let (case, title) = planar.row(arguments.row);
+        draw(arguments, &figure(&case, title, Vec::new(), 0, false)?)
     } else {
         let all = read_values(&cases, &[], &outputs)?;
         let (row, values) = &all[arguments.row - 1];

@@ -63,21 +63,14 @@ enum Of {
 /// Writes the greatest stresses and draws them.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Arguments { cases: path, row, output: figure, points, .. } = arguments;
-    if figure.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
-        bail!("{}: figures are SVG; write a name that ends in .svg", figure.display());
-    }
+    output::check_figure(figure)?;
     let outputs = [Some(figure.as_path()), points.as_deref()];
     output::check_names([path.as_path()], outputs)?;
-    let cases = Cases::read(path)?;
-    if *row == 0 || *row > cases.rows().len() {
-        bail!("--row {row}: {} has rows 1 to {}", path.display(), cases.rows().len());
-    }
+    let cases = Cases::with_row(path, *row)?;
     if cases.column("separation").is_some() {
-        let planar = PlanarCases::read(&cases)?;
-        output::check_names(planar.separation_files(), outputs)?;
-        let case = &planar.cases[row - 1];
-        let name = case.separation.file_name().unwrap_or(case.separation.as_os_str());
-        stresses(arguments, &planar.planar(case), &format!("{}, row {row}", name.display()))
+        let planar = PlanarCases::read(&cases, &outputs)?;
+        let (case, title) = planar.row(*row);
+        stresses(arguments, &case, &title)
     } else {
         let all = read_values(&cases, &[], &outputs)?;
         let (place, values) = &all[row - 1];

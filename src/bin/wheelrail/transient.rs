@@ -60,9 +60,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let table = Cases::read(&arguments.files.cases)?;
     let path = arguments.files.output.as_deref();
-    let states = PlanarCases::of_boundary_elements(&table, &MOTION)?;
-    let input = arguments.files.cases.as_path();
-    output::check_names(states.separation_files().chain([input]), [path])?;
+    output::check_names([arguments.files.cases.as_path()], [path])?;
+    let states = PlanarCases::of_boundary_elements(&table, &MOTION, &[path])?;
     let motions = table.rows().iter().map(|row| motion(&table, row)).collect::<Result<Vec<_>>>()?;
     let mut contact = match (arguments.element_length, arguments.element_width) {
         (Some(length), Some(width)) => {
