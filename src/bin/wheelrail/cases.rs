@@ -203,6 +203,20 @@ impl Row {
         self.cells.get(column).filter(|cell| !cell.is_empty())
     }
 
+    /// The finite number in `column`.
+    pub fn number(&self, column: usize) -> Result<f64> {
+        let text = self.cell(column).unwrap_or_default();
+        number(text).filter(|value| value.is_finite()).with_context(|| {
+            format!("{}: \"{text}\" is not a finite number", self.cell_place(column))
+        })
+    }
+
+    /// The finite number in the column called `name`, if it has one.
+    pub fn number_named(&self, name: &str) -> Result<Option<f64>> {
+        let column = self.header.column(name).filter(|&column| self.cell(column).is_some());
+        column.map(|column| self.number(column)).transpose()
+    }
+
     /// All cells as they stand.
     pub fn all_cells(&self) -> impl Iterator<Item = &str> {
         self.cells.iter()

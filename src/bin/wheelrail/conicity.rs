@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset};
 
-use crate::options::ContactOptions;
+use crate::options::{ContactOptions, check_positive};
 use crate::remarks::{Found, Remarks};
 use crate::{figures, output};
 
@@ -86,15 +86,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn check(arguments: &Arguments) -> Result<()> {
-    for (name, value) in [
+    check_positive(&[
         ("running-circles", arguments.running_circles),
         ("range", arguments.range),
         ("step", arguments.step),
-    ] {
-        if !(value.is_finite() && value > 0.0) {
-            bail!("--{name} {value} is not admitted: it must be a finite number above 0");
-        }
-    }
+    ])?;
     if arguments.range / arguments.step > 0.5 * MAX_ROWS || arguments.range < arguments.step {
         bail!(
             "--step {} is not admitted: --range {} must hold 1 to {} of them",

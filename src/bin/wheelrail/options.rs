@@ -66,6 +66,16 @@ impl ContactOptions {
     }
 }
 
+/// Refuses options that are no finite numbers above 0.
+pub fn check_positive(options: &[(&str, f64)]) -> Result<()> {
+    match options.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0)) {
+        Some((name, value)) => {
+            bail!("--{name} {value} is not admitted: it must be a finite number above 0")
+        }
+        None => Ok(()),
+    }
+}
+
 /// Reads NAME=VALUE.
 pub fn assignment(text: &str) -> std::result::Result<(String, String), String> {
     match text.split_once('=') {

@@ -11,7 +11,6 @@ use anyhow::{Context, Result};
 use wheelrail::planar::PlanarCase;
 
 pub use columns::Case;
-pub use separation::number;
 pub use timed::timed;
 
 use crate::cases::Cases;

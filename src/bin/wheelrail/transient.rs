@@ -7,7 +7,7 @@ use wheelrail::planar::{StepMotion, TransientContact, TransientResult};
 use crate::cases::{Cases, Row};
 use crate::options::TableFiles;
 use crate::output;
-use crate::planar_cases::{PlanarCases, number};
+use crate::planar_cases::PlanarCases;
 
 /// Columns of the motion, besides those of planar cases.
 const MOTION: [&str; 7] = [
@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let path = arguments.files.output.as_deref();
     output::check_names([arguments.files.cases.as_path()], [path])?;
     let states = PlanarCases::of_boundary_elements(&table, &MOTION, &[path])?;
-    let motions = table.rows().iter().map(|row| motion(&table, row)).collect::<Result<Vec<_>>>()?;
+    let motions = table.rows().iter().map(motion).collect::<Result<Vec<_>>>()?;
     let mut contact = match (arguments.element_length, arguments.element_width) {
         (Some(length), Some(width)) => {
             TransientContact::with_element_size([1e-3 * length, 1e-3 * width])?
@@ -91,13 +91,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 /// The motion of a row, and how many times.
-fn motion(table: &Cases, row: &Row) -> Result<(StepMotion, usize)> {
-    let value = |name: &str| -> Result<Option<f64>> {
-        match table.column(name) {
-            Some(column) if row.cell(column).is_some() => number(row, column).map(Some),
-            _ => Ok(None),
-        }
-    };
+fn motion(row: &Row) -> Result<(StepMotion, usize)> {
+    let value = |name: &str| row.number_named(name);
     let or_zero = |name: &str| value(name).map(|value| value.unwrap_or(0.0));
     let steps = value("steps")?.unwrap_or(1.0);
     if !(1.0..=MAX_STEPS).contains(&steps) || steps.fract() > 0.0 {

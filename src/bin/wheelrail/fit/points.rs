@@ -1,11 +1,10 @@
 //! Measured points of creep curves and the contacts that they were measured on.
 
 use anyhow::{Context, Result, bail, ensure};
-use wheelrail::io::number;
 use wheelrail::planar::{Indentation, PressedContact};
 use wheelrail::variables::Values;
 
-use crate::cases::{Cases, Row};
+use crate::cases::Cases;
 
 /// One measured point.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +60,7 @@ impl Points {
         let mut points = Self { all: Vec::new(), contacts: Vec::new() };
         let mut loads: Vec<f64> = Vec::new();
         for row in cases.rows() {
-            let cell = |name: &str| cell(cases, row, name);
+            let cell = |name: &str| row.number_named(name);
             let needed = |name: &str| {
                 cell(name)?.with_context(|| format!("{}: {name} is missing", row.place()))
             };
@@ -116,15 +115,4 @@ impl Points {
     pub fn greatest(&self) -> f64 {
         self.all.iter().map(|point| point.adhesion).fold(0.0, f64::max)
     }
-}
-
-/// The number in a column, if there is one.
-fn cell(cases: &Cases, row: &Row, name: &str) -> Result<Option<f64>> {
-    let Some(column) = cases.column(name) else { return Ok(None) };
-    let Some(text) = row.cell(column) else { return Ok(None) };
-    let value = number(text).filter(|value| value.is_finite());
-    let value = value.with_context(|| {
-        format!("{}: \"{text}\" is not a finite number", row.cell_place(column))
-    })?;
-    Ok(Some(value))
 }

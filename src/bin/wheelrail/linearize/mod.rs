@@ -11,7 +11,7 @@ use nalgebra::Complex;
 use wheelrail::wheelset::{Input, Parameters, TAPE_CIRCLE, Wheelset};
 
 use crate::figures::roots::{self, Roots};
-use crate::options::ContactOptions;
+use crate::options::{ContactOptions, check_positive};
 use crate::output;
 use crate::remarks::{Found, Remarks};
 use crate::wheelset::options::WheelsetOptions;
@@ -107,11 +107,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 fn check(arguments: &Arguments) -> Result<()> {
     arguments.wheelset.check()?;
-    for (name, value) in [("from", arguments.from), ("to", arguments.to)] {
-        if !(value.is_finite() && value > 0.0) {
-            bail!("--{name} {value} is not admitted: it must be a finite number above 0");
-        }
-    }
+    check_positive(&[("from", arguments.from), ("to", arguments.to)])?;
     if arguments.to < arguments.from {
         bail!("--to {} is not admitted: it is below --from {}", arguments.to, arguments.from);
     }

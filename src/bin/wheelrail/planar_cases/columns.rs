@@ -8,7 +8,6 @@ use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::variables::{Values, find};
 
-use super::separation::number;
 use crate::cases::{Cases, Row};
 use crate::models::is_slow;
 
@@ -92,12 +91,7 @@ pub fn check(cases: &Cases, others: &[&str]) -> Result<()> {
 impl Case {
     /// Reads the case in `row`.
     pub fn read(cases: &Cases, row: &Row) -> Result<Self> {
-        let value = |name: &str| -> Result<Option<f64>> {
-            match cases.column(name) {
-                Some(column) if row.cell(column).is_some() => number(row, column).map(Some),
-                _ => Ok(None),
-            }
-        };
+        let value = |name: &str| row.number_named(name);
         let positive = |name: &str| -> Result<Option<f64>> {
             match value(name)? {
                 Some(number) if number <= 0.0 => {
@@ -171,7 +165,7 @@ fn variables(cases: &Cases, row: &Row) -> Result<Values> {
             continue;
         };
         let text = if scale > 0.0 {
-            format!("{:?}", scale * number(row, column)?)
+            format!("{:?}", scale * row.number(column)?)
         } else {
             text.to_string()
         };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-use crate::cases::{Cases, Row};
+use crate::cases::Cases;
 
 /// Points fewer than these do not describe a surface.
 const FEWEST_POINTS: usize = 5;
@@ -20,7 +20,7 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
     let (y, f) = (column("y_mm")?, column("f_mm")?);
     let mut points: Vec<[f64; 2]> = Vec::with_capacity(table.rows().len());
     for row in table.rows() {
-        let point = [1e-3 * number(row, y)?, 1e-3 * number(row, f)?];
+        let point = [1e-3 * row.number(y)?, 1e-3 * row.number(f)?];
         if points.last().is_some_and(|last| point[0] <= last[0]) {
             bail!("{}: y must grow from row to row", row.cell_place(y));
         }
@@ -34,15 +34,6 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
         );
     }
     Ok(points)
-}
-
-/// The finite number in a cell.
-pub fn number(row: &Row, column: usize) -> Result<f64> {
-    let text = row.cell(column).unwrap_or_default();
-    match wheelrail::io::number(text) {
-        Some(value) if value.is_finite() => Ok(value),
-        _ => bail!("{}: \"{text}\" is not a finite number", row.cell_place(column)),
-    }
 }
 
 #[cfg(test)]

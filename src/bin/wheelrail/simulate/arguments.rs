@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 use super::fmu_wheel::is_driven;
-use crate::options::{ContactOptions, assignment};
+use crate::options::{ContactOptions, assignment, check_positive};
 use crate::wheelset::options::WheelsetOptions;
 use crate::wheelset::track::{RampShape, Track};
 
@@ -77,18 +77,13 @@ pub struct Arguments {
 impl Arguments {
     /// Refuses what cannot be run, by the option's name.
     pub fn check(&self) -> Result<()> {
-        let positive = [
+        check_positive(&[
             ("speed", self.speed),
             ("length", self.length),
             ("ramp-length", self.ramp_length),
             ("record-every", self.record_every),
             ("step", self.step.unwrap_or(1.0)),
-        ];
-        for (name, value) in positive {
-            if !(value.is_finite() && value > 0.0) {
-                bail!("--{name} {value} is not admitted: it must be a finite number above 0");
-            }
-        }
+        ])?;
         self.wheelset.check()?;
         for (name, value) in
             [("ramp", self.ramp()), ("ramp-start", self.ramp_start), ("station", self.station)]

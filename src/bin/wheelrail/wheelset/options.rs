@@ -7,6 +7,7 @@ use wheelrail::element::Inertia;
 use super::GRAVITY;
 use super::body::Body;
 use super::suspension::Suspension;
+use crate::options::check_positive;
 
 /// The wheelset and its suspension; their help is shown with that of the commands.
 #[derive(Args, Debug)]
@@ -67,18 +68,13 @@ fn three(text: &str) -> std::result::Result<[f64; 3], String> {
 impl WheelsetOptions {
     /// Refuses what no wheelset has, by the option's name.
     pub fn check(&self) -> Result<()> {
-        let positive = [
+        check_positive(&[
             ("mass", self.mass),
             ("inertia", self.inertia),
             ("axle-inertia", self.axle_inertia),
             ("running-circles", self.running_circles),
             ("axle-boxes", self.axle_boxes),
-        ];
-        for (name, value) in positive {
-            if !(value.is_finite() && value > 0.0) {
-                bail!("--{name} {value} is not admitted: it must be a finite number above 0");
-            }
-        }
+        ])?;
         let not_negative = [("stiffness", self.stiffness), ("damping", self.damping)];
         for (name, values) in not_negative {
             if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
