@@ -25,7 +25,8 @@ fn write_lines(out: &mut impl Write, width: usize, lines: &[(&str, String)]) -> 
 pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io::Result<()> {
     let Arguments { contact, wheelset, length, speed, ramp_start, .. } = arguments;
     let suspension = wheelset.suspension();
-    let set: String = contact.settings.iter().map(|(n, v)| format!(", {n} = {v}")).collect();
+    let set =
+        contact.settings.iter().fold(String::new(), |all, (n, v)| all + &format!(", {n} = {v}"));
     let contact = format!(
         "wheel {} on rail {}, inclination {}{set}",
         contact.wheel_profile, contact.rail_profile, contact.inclination
