@@ -5,7 +5,7 @@
 //! derivatives by everything at once.
 
 use super::contact::models::Models;
-use super::derivatives::{Height, at_this_input};
+use super::derivatives::{Height, WAVES, at_this_input};
 use super::gradient::{Back, Gradient};
 use super::input::{INPUTS, Input, PLACES, move_all};
 use super::output::Output;
@@ -71,9 +71,8 @@ impl Element {
         self.check_models()?;
         if self.models.uneven.is_some() {
             // Of the parameters, on some of which places on the waves hang.
-            let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
             let reason = "backwards they are there for bodies that are even along the track";
-            return Err(ContactError::NoDerivative { name: Some(name), reason });
+            return Err(ContactError::NoDerivative { name: Some(WAVES), reason });
         }
         let weights = self.side.mirror(*weights);
         let mut memory = self.backwards.take().unwrap_or_else(|| self.adjoint_memory());

@@ -21,6 +21,8 @@ use crate::error::ContactError;
 use crate::math::dual::Dual;
 use crate::tangential::TangentialModel;
 
+/// What gives bodies waves.
+pub(super) const WAVES: &str = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
 /// Places of height and load among the inputs.
 const HEIGHT: usize = 2;
 const LOAD: usize = 26;
@@ -202,8 +204,7 @@ impl Element {
             return refuse("tangential.model = boundary_element", reason);
         }
         if self.models.uneven.is_some() && self.models.normal != NormalModel::Strips {
-            let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
-            return refuse(name, "over waves they are there for normal.model = strips");
+            return refuse(WAVES, "over waves they are there for normal.model = strips");
         }
         if self.rails.iter().flatten().any(RailContact::is_corrugated_roller) {
             let name = "rail[k].corrugation on rail[k].roller_radius";
@@ -306,8 +307,8 @@ impl Element {
 
     /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor
     /// has the station of bodies that are even and have the same friction all along the track, nor
-    /// how a straight rail or a wheel without waves turns, nor a load where the height is given, nor friction that is told
-    /// otherwise.
+    /// how a straight rail or a wheel without waves turns, nor a load where the height is given, nor
+    /// friction that is told otherwise.
     fn has_effect(&self, i: usize) -> bool {
         let has = |of: fn(&RailFriction) -> bool| {
             self.rails.iter().flatten().filter_map(|rail| rail.friction.as_ref()).any(of)

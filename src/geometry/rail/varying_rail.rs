@@ -234,7 +234,7 @@ impl VaryingRail {
         let Self { surface, bounds, wheel, meeting, .. } = self;
         let touch = Touch { surface, bounds, wheel };
         let within = surface.within(station.value());
-        let waves = self.wheel_waves(pitch);
+        let waves = WheelWaves::of(&self.waves, self.nominal_radius, pitch);
         let over = Over::new(line, pose, station, within).with_waves(waves).along(outline.course);
         outline.met.clear();
         outline.met.extend(meeting.met().iter().map(|found| touch.moving(&over, found)));
@@ -242,18 +242,11 @@ impl VaryingRail {
         outline.stand = Stand { station, pitch, pose: *pose };
     }
 
-    /// Deviations of a wheel that is turned by `pitch` [rad], where it has any.
-    fn wheel_waves<T: Real>(&self, pitch: T) -> Option<WheelWaves<'_, T>> {
-        let Self { waves, nominal_radius, .. } = self;
-        (!waves.is_empty()).then(|| WheelWaves::new(waves, *nominal_radius, pitch))
-    }
-
     /// Meets all rows that may touch, and a few of the others.
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
         let Self { surface, bounds, few, wheel, meeting, waves, level, stand, .. } = self;
         let within = surface.within(stand.station);
-        let waves =
-            (!waves.is_empty()).then(|| WheelWaves::new(waves, self.nominal_radius, stand.pitch));
+        let waves = WheelWaves::of(waves, self.nominal_radius, stand.pitch);
         let course = level.as_ref().map(|(_, course)| *course);
         let over = &Over::new(line, pose, stand.station, within).with_waves(waves).along(course);
         let touch = Touch { surface, bounds, wheel };

@@ -45,9 +45,10 @@ use crate::math::real::Real;
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is
 /// looked for.
 const MIN_RATE: f64 = 0.1;
-/// Spacing at which it is looked through, along the nominal rolling circle [m].
+/// Spacing at which rows are looked through, along the nominal rolling circle [m].
 const SCAN: f64 = 2e-3;
-/// Newton steps to the place on a row, the last of them, and the longest [rad].
+/// Steps to the place on a row, of which halving what samples leave takes 26, and the last of them
+/// [rad].
 const MAX_STEPS: usize = 40;
 const LAST_STEP: f64 = 1e-10;
 /// Least bend of a row towards its lowest place, over that of a round wheel.

@@ -1,5 +1,7 @@
 //! Rails whose section varies along the track, and rollers.
 
+use std::f64::consts::TAU;
+
 use super::*;
 use crate::common::varying::{bent, head, of_slices, slices};
 use wheelrail::element::parameters::FlatShape;
@@ -78,4 +80,18 @@ fn of_strips_over_waves() {
     flat.wheel.flat.depth = 2e-3;
     flat.wheel.flat.shape = FlatShape::Worn;
     judge_few("flat_strips", &flat);
+}
+
+#[test]
+fn of_corrugated_rollers_they_are_refused_by_name() {
+    let mut parameters = default();
+    parameters.normal_model = NormalModel::Strips;
+    let rail = &mut parameters.rails[0];
+    rail.roller_radius = 0.5;
+    (rail.corrugation.amplitude, rail.corrugation.wavelength) = (1e-5, TAU * 0.5 / 60.0);
+    let mut own = element(&parameters);
+    let input = Input::default();
+    let asked = own.directional_derivative(&input, &input, &mut Output::default());
+    let told = asked.unwrap_err().to_string();
+    assert!(told.contains("rail[k].roller_radius") && told.contains("even around"), "{told}");
 }

@@ -114,8 +114,7 @@ impl Few {
         let [a, b] = [from, to].map(|met| met.gap.lowered(way));
         let nearest = a.min(b);
         let opposite = from.opposite.zip(to.opposite);
-        let goes_on = (from.x - to.x).abs() < TREND && rows.parts[from.row] == rows.parts[to.row];
-        let Some((a_side, b_side)) = opposite.filter(|_| goes_on) else {
+        let Some((a_side, b_side)) = opposite.filter(|_| goes_on(rows, [from, to])) else {
             return nearest - self.ripples[from.row] < NEAR;
         };
         let length = rows.parameter[to.row] - rows.parameter[from.row];
@@ -127,6 +126,14 @@ impl Few {
         nearest - sag
             < BESIDE + self.ripples[from.row] + self.of_wheel.between([a_side.s, b_side.s])
     }
+}
+
+/// Whether two rows are met in places that go on from one to the other.
+pub(super) fn goes_on(rows: &Rows, [from, to]: [&Met; 2]) -> bool {
+    from.opposite.is_some()
+        && to.opposite.is_some()
+        && (from.x - to.x).abs() < TREND
+        && rows.parts[from.row] == rows.parts[to.row]
 }
 
 /// How far the rows between two go beside the cubics through these, at most on any slice [m].

@@ -1,10 +1,9 @@
 //! Which rows of a rail the wheel above it is to meet, and where it does.
 
-use super::few::{Few, NEAR};
+use super::few::{Few, NEAR, goes_on};
 use super::over::Over;
 use super::touch::Touch;
 use super::trend::Trend;
-use crate::geometry::sections::rows::envelope::TREND;
 use crate::geometry::sections::rows::met::Met;
 use crate::math::fixed_vec::FixedVec;
 
@@ -59,7 +58,7 @@ impl Meeting {
             let next = next.filter(|next| few.is_near(rows, [here, next], least));
             let Some(next) = next else { continue };
             // Rows between two that are met in one valley are met in it.
-            let looks_through = is_wavy && !goes_on([here, next]);
+            let looks_through = is_wavy && !goes_on(rows, [here, next]);
             for j in here.row + 1..next.row {
                 let start = trend.start(&rows.parameter, j);
                 if let Some(found) = touch.meet(over, j, start, looks_through) {
@@ -106,11 +105,6 @@ impl Meeting {
             trend.follow(&found);
         }
     }
-}
-
-/// Whether two rows are met in places that go on from one to the other.
-fn goes_on([from, to]: [&Met; 2]) -> bool {
-    from.opposite.is_some() && to.opposite.is_some() && (from.x - to.x).abs() < TREND
 }
 
 /// Whether a row that was met stays away from a wheel that was lowered by `way` [m].

@@ -26,13 +26,17 @@ pub(in crate::geometry) const MIN_REACH: f64 = 1e-2;
 const FARTHEST: f64 = 1.2 * REACH;
 
 impl<'a, T: Real> WheelWaves<'a, T> {
-    /// Those of the `surface` of a wheel turned by `pitch` [rad] with the radius `nominal_radius`
+    /// Those of the `surface` of a wheel, where it has any, turned by `pitch` [rad] with the radius `nominal_radius`
     /// [m].
-    pub fn new(surface: &'a Waviness, nominal_radius: f64, pitch: T) -> Self {
+    pub fn of(surface: &'a Waviness, nominal_radius: f64, pitch: T) -> Option<Self> {
+        if surface.is_empty() {
+            return None;
+        }
         let below = -pitch * nominal_radius;
         let (from, to) = (below.value() - FARTHEST, below.value() + FARTHEST);
         let curvature = surface.curvature_within([from, to]);
-        Self { surface, below, is_hollow: curvature > HOLLOW_SHARE / nominal_radius }
+        let is_hollow = curvature > HOLLOW_SHARE / nominal_radius;
+        Some(Self { surface, below, is_hollow })
     }
 
     /// Whether the wheel may be hollow within reach.
