@@ -132,12 +132,24 @@ impl Influence {
         let root = inverse.sqrt();
         let near = ((distance - width * 0.5) * root).at_least(0.0);
         let far = (distance + width * 0.5) * root;
-        let far = self.band.at::<F, T>(far * far);
-        // Below the least distance a band does in proportion to it.
-        let share = (near / DISTANCES[0]).at_most(1.0);
-        let near = self.band.at::<F, T>(near * near);
-        let of = |v: usize| std::array::from_fn(|lane| far[v][lane] - near[v][lane] * share);
+        let near = self.band_to::<F, T>(near);
+        let far = self.band_to::<F, T>(far);
+        let of = |v: usize| std::array::from_fn(|lane| far[v][lane] - near[v][lane]);
         scaled::<F, T>(&[of(0), of(1), of(2), of(3)], root / width, root, ratio)
+    }
+
+    /// What a band that begins at the receiving strip does, to its `end` >= 0 over the half length.
+    #[inline(always)]
+    fn band_to<const F: bool, T: Real>(&self, end: T) -> [Four<T>; 4] {
+        let mut found = self.band.at::<F, T>(end * end);
+        // Below the least distance what is along and across is in proportion to it; what is crossed
+        // is that of the edge alone there, which both ends of a strip's band have in common.
+        let share = (end / DISTANCES[0]).at_most(1.0);
+        for lane in 0..4 {
+            found[0][lane] *= share;
+            found[1][lane] *= share;
+        }
+        found
     }
 
     /// What a strip of the half length `a` and the width `width` has of its own, where the band of
@@ -216,4 +228,24 @@ fn scaled<const F: bool, T: Real>(
         found.crossed[1][lane] = second[lane] * even[1][lane];
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// On patches hundreds of times as long as wide, whose strips are closer than the functions reach.
+    #[test]
+    fn what_is_crossed_vanishes_between_strips_that_are_close() {
+        let (influence, ratio) = (Influence::shared(), Ratio::of(0.28));
+        let crossed = |distance: f64, width: f64| {
+            let pair = influence.wide::<false, f64>(distance, width, 1.0, &ratio);
+            // Per width, as a band of any width does as much as its edges.
+            pair.crossed.iter().flatten().map(|c| (c * width).abs()).fold(0.0, f64::max)
+        };
+        let edge = crossed(1.0, 2.0);
+        for width in [4e-3, 1e-3, 1e-4, 1e-6] {
+            assert!(crossed(width, width) < 2.0 * width.max(DISTANCES[0]) * edge, "{width}");
+        }
+    }
 }

@@ -37,6 +37,8 @@ const TANGENTIAL: [TangentialModel; 7] = [
     BOUNDED[3],
     BOUNDED[4],
 ];
+/// Length over width up to which there are tables of creep forces; beyond it spin may make energy.
+const MOST_SLENDER: f64 = 20.0;
 const CREEPAGE: [CreepageModel; 3] =
     [CreepageModel::Kinematic, CreepageModel::Flat, CreepageModel::Curved];
 
@@ -220,8 +222,9 @@ fn creep_forces_stay_within_friction_and_take_energy() {
             prop_assert!((0.0..=1.0).contains(&patch.slip_share), "{patch:?}");
             // The reported power is cut at nothing; that of one creepage for the whole patch can be
             // checked without.
-            if parameters.creepage_model != CreepageModel::Curved {
-                let [longitudinal, lateral, spin] = patch.creepage;
+            let [longitudinal, lateral, spin] = patch.creepage;
+            let turns = spin.abs() > 0.0 && patch.length > MOST_SLENDER * patch.width;
+            if parameters.creepage_model != CreepageModel::Curved && !turns {
                 let (x, y, z) = (fx * longitudinal, fy * lateral, patch.spin_moment * spin);
                 let rounding = 1e-9 * (x.abs() + y.abs() + z.abs());
                 prop_assert!(x + y + z <= rounding, "{patch:?}");

@@ -102,6 +102,75 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
     });
 }
 
+/// An elliptic zone in even strips, `ratio` times as long as wide.
+fn ellipse(ratio: f64, count: usize) -> (Zone, Strips) {
+    let (a, b) = (5e-3 * ratio.sqrt(), 5e-3 / ratio.sqrt());
+    let mut strips = Strips::with_capacity(1, count);
+    let mut zone = Zone { count, length: 2.0 * a, width: 2.0 * b, ..Zone::default() };
+    let width = 2.0 * b / count as f64;
+    for j in 0..count {
+        let y = -b + (j as f64 + 0.5) * width;
+        let height = (1.0 - (y / b).powi(2)).sqrt();
+        for (column, value) in [
+            (&mut strips.y, y),
+            (&mut strips.width, width),
+            (&mut strips.x, 0.0),
+            (&mut strips.half_length, a * height),
+            (&mut strips.pressure, 1e9 * height),
+            (&mut strips.u, y),
+        ] {
+            column.push(value);
+        }
+        zone.load += FRAC_PI_2 * a * height * width * 1e9 * height;
+        zone.area += 2.0 * a * height * width;
+        zone.max_pressure = zone.max_pressure.max(1e9 * height);
+    }
+    strips.zones.push(zone);
+    (zone, strips)
+}
+
+#[test]
+fn friction_on_an_ellipse_takes_energy() {
+    let models = BOUNDED.map(|model| {
+        let bound = TractionBound::Elliptic;
+        (model, Tangential::new(model, Flexibilities::Three, bound, 10, [8, 8]))
+    });
+    let material = MaterialPair::new(STEEL, STEEL);
+    let creepage = [around(0.0, 1.0), around(0.0, 1.0), around(0.0, 1.0)];
+    proptest!(cases(), |(
+        ratio in -3.5..MOST_SLENDER.log10(),
+        count in 4..30usize,
+        [longitudinal, lateral, spin] in creepage,
+        size in -5.0..-1.0f64,
+        friction in 0.05..2.0f64,
+    )| {
+        let (zone, strips) = ellipse(10f64.powf(ratio), count);
+        let size = 10f64.powf(size);
+        let creepage = Creepage {
+            longitudinal: size * longitudinal, lateral: size * lateral, spin: 200.0 * size * spin,
+        };
+        let state =
+            RollingState { creepage, forward_share: 1.0, friction, load_factor: 1.0, speed: 20.0 };
+        for (model, tangential) in &models {
+            let law = tangential.under_law(&zone, &strips, &material, &state);
+            let rolling = RollingZone::flat(&zone, &strips, &law);
+            let mut sum = [0.0; 3];
+            tangential.roll(std::iter::once(rolling), |_, j, found| {
+                sum[0] += found.longitudinal;
+                sum[1] += found.lateral;
+                sum[2] += found.moment - strips.y[j] * found.longitudinal;
+            });
+            let limit = friction * zone.load * (1.0 + 1e-9);
+            prop_assert!(sum[0].hypot(sum[1]) <= limit, "{model:?}: {sum:?} beyond {limit}");
+            let Creepage { longitudinal, lateral, spin } = creepage;
+            let powers = [sum[0] * longitudinal, sum[1] * lateral, sum[2] * spin];
+            let rounding = 1e-9 * powers.iter().map(|power| power.abs()).sum::<f64>();
+            let power = powers.iter().sum::<f64>();
+            prop_assert!(power <= rounding, "{model:?}: {sum:?} by {creepage:?}");
+        }
+    });
+}
+
 prop_compose! {
     /// A smooth separation with up to a few minima, larger or smaller by `scale`.
     fn planar_shape()(
