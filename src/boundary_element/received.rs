@@ -9,13 +9,13 @@
 
 use std::sync::Arc;
 
-use multiversion::multiversion;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 use super::convolution::fast_length;
 use super::grid::Grid;
 use super::influence::{Influence, TangentialInfluence};
+use crate::math::vectors::with_vectors;
 
 /// Numbers along a row are summed in groups of this many; rows end with zeros up to the next whole
 /// group.
@@ -197,37 +197,46 @@ impl Received {
 
 /// Adds to `sums` (real and imaginary parts for x, then y) the products of the spectra of an
 /// influence and of the tractions of a row.
-#[multiversion(targets("x86_64+avx2+fma", "aarch64+neon"))]
 fn add_products(count: usize, influence: &[f64], tractions: &[f64], sums: &mut [f64]) {
-    let part = |of: usize| &influence[of * count..(of + 1) * count];
-    let (xx, xxi, xy, xyi, yy, yyi) = (part(0), part(1), part(2), part(3), part(4), part(5));
-    let part = |of: usize| &tractions[of * count..(of + 1) * count];
-    let (x, xi, y, yi) = (part(0), part(1), part(2), part(3));
-    let (to_x, to_y) = sums.split_at_mut(2 * count);
-    let (sx, sxi) = to_x.split_at_mut(count);
-    let (sy, syi) = to_y.split_at_mut(count);
-    let (sxi, syi) = (&mut sxi[..count], &mut syi[..count]);
-    for k in 0..count {
-        sx[k] += xx[k] * x[k] - xxi[k] * xi[k] + xy[k] * y[k] - xyi[k] * yi[k];
-        sxi[k] += xx[k] * xi[k] + xxi[k] * x[k] + xy[k] * yi[k] + xyi[k] * y[k];
-        sy[k] += xy[k] * x[k] - xyi[k] * xi[k] + yy[k] * y[k] - yyi[k] * yi[k];
-        syi[k] += xy[k] * xi[k] + xyi[k] * x[k] + yy[k] * yi[k] + yyi[k] * y[k];
-    }
+    with_vectors(
+        #[inline(always)]
+        || {
+            let part = |of: usize| &influence[of * count..(of + 1) * count];
+            let (xx, xxi, xy, xyi, yy, yyi) =
+                (part(0), part(1), part(2), part(3), part(4), part(5));
+            let part = |of: usize| &tractions[of * count..(of + 1) * count];
+            let (x, xi, y, yi) = (part(0), part(1), part(2), part(3));
+            let (to_x, to_y) = sums.split_at_mut(2 * count);
+            let (sx, sxi) = to_x.split_at_mut(count);
+            let (sy, syi) = to_y.split_at_mut(count);
+            let (sxi, syi) = (&mut sxi[..count], &mut syi[..count]);
+            for k in 0..count {
+                sx[k] += xx[k] * x[k] - xxi[k] * xi[k] + xy[k] * y[k] - xyi[k] * yi[k];
+                sxi[k] += xx[k] * xi[k] + xxi[k] * x[k] + xy[k] * yi[k] + xyi[k] * y[k];
+                sy[k] += xy[k] * x[k] - xyi[k] * xi[k] + yy[k] * y[k] - yyi[k] * yi[k];
+                syi[k] += xy[k] * xi[k] + xyi[k] * x[k] + yy[k] * yi[k] + yyi[k] * y[k];
+            }
+        },
+    )
 }
 
 /// Sums of products of two pairs of rows of whole groups.
-#[multiversion(targets("x86_64+avx2+fma", "aarch64+neon"))]
 fn sums_of_products(a: [&[f64]; 2], b: [&[f64]; 2]) -> [f64; 2] {
-    let mut sums = [[0.0; GROUP]; 2];
-    let [ax, ay] = a.map(|row| row.as_chunks::<GROUP>().0);
-    let [bx, by] = b.map(|row| row.as_chunks::<GROUP>().0);
-    for ((ax, bx), (ay, by)) in ax.iter().zip(bx).zip(ay.iter().zip(by)) {
-        for l in 0..GROUP {
-            sums[0][l] += ax[l] * bx[l];
-            sums[1][l] += ay[l] * by[l];
-        }
-    }
-    sums.map(|groups| groups.iter().sum())
+    with_vectors(
+        #[inline(always)]
+        || {
+            let mut sums = [[0.0; GROUP]; 2];
+            let [ax, ay] = a.map(|row| row.as_chunks::<GROUP>().0);
+            let [bx, by] = b.map(|row| row.as_chunks::<GROUP>().0);
+            for ((ax, bx), (ay, by)) in ax.iter().zip(bx).zip(ay.iter().zip(by)) {
+                for l in 0..GROUP {
+                    sums[0][l] += ax[l] * bx[l];
+                    sums[1][l] += ay[l] * by[l];
+                }
+            }
+            sums.map(|groups| groups.iter().sum())
+        },
+    )
 }
 
 #[cfg(test)]

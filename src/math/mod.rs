@@ -17,3 +17,4 @@ pub mod spline;
 pub(crate) mod tape;
 pub(crate) mod transposed_spline;
 pub(crate) mod until_unload;
+pub(crate) mod vectors;

@@ -1,5 +1,6 @@
 //! Numbers that the mechanics is written for: plain ones and dual numbers, which carry derivatives.
 
+use std::any::Any;
 use std::fmt::Debug;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -12,6 +13,12 @@ use super::logarithm;
 /// Number of a constant that derivatives can be taken by, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Leaf(pub u32);
+
+/// `x` as an `O`, if that is what it is.
+#[inline]
+pub fn as_is<T: 'static, O: 'static>(x: &T) -> Option<&O> {
+    (x as &dyn Any).downcast_ref()
+}
 
 /// Coefficients of (y, z) in growing powers of the distance from the start of a piece of a curve.
 pub type Cubic = [[f64; 2]; 4];

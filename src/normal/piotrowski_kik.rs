@@ -47,24 +47,21 @@
 //! Where an outline has a kink between two strips the corrected sum may be less than the sum of
 //! these bounds; the larger of the two is used.
 
-use multiversion::multiversion;
-
 use super::shape_correction::{self, ShapeFit};
 use super::zones::{Edge, for_each_zone};
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::contacts::separation::{FrameSeparation, Probe, SeparationPoint};
 use crate::leaves::{CONTACT_MODULUS, VIRTUAL_PENETRATION};
-use crate::math::dual::Dual;
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::math::tape::Taped;
+use crate::math::vectors::with_vectors;
 
 /// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1; `shape`
 /// corrects the shape of the contact area where it is given.
 ///
 /// Returns the number of zones that found no room in `strips` (they are left out of the load).
-pub fn solve<T: Influence>(
+pub fn solve<T: Real>(
     problem: &NormalProblem<T>,
     virtual_penetration: f64,
     shape: Option<ShapeFit>,
@@ -77,7 +74,7 @@ pub fn solve<T: Influence>(
     let mut left_out = 0;
     // Without the contact point in a zone (it is the deepest place of the probes) there is no load.
     let mut load_integral = T::from(0.0);
-    let mut logarithm_error = T::from(0.0);
+    let mut rule_error = T::from(0.0);
     let contact_dy = separation.point(problem.contact_u).dy;
     for_each_zone(separation, probes, depth, |separation, edge| {
         let count = problem.rule.nodes.len();
@@ -118,7 +115,7 @@ pub fn solve<T: Influence>(
         let length = (problem.radius * 2.0 * deepest).sqrt() * 2.0;
         let zone = Zone { first, count, length, ..Zone::default() };
         let least = longest * MIN_DISTANCE / contact_dy;
-        logarithm_error += T::logarithm_error(problem.rule, &edge, problem.contact_u, least);
+        rule_error += logarithm_error(problem.rule, &edge, problem.contact_u, least);
         // Where the outline folds, edges may lie in the wrong order; what turns back is not loaded.
         let loaded = (first..first + count).filter(|&j| strips.half_length[j] > 0.0);
         let width = loaded.map(|j| strips.width[j]).sum();
@@ -128,10 +125,10 @@ pub fn solve<T: Influence>(
     if let Some(fit) = shape {
         longest *= shape_correction::apply(fit, longest * 2.0, problem.rule, separation, strips);
     }
-    let [sum, least] = T::influence(&strips.half_length, &strips.y, &strips.width, longest);
+    let [sum, least] = influence(&strips.half_length, &strips.y, &strips.width, longest);
     // The singularity is -L ln(y²) dy; a correction of the shape leaves the product of its length
     // and width.
-    let displacement_integral = (sum + uncorrected * contact_dy * logarithm_error).max(least);
+    let displacement_integral = (sum + uncorrected * contact_dy * rule_error).max(least);
     // p = scale · sqrt(x_l² - x²)
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
         problem.approach.scaled(std::f64::consts::PI * problem.contact_modulus, CONTACT_MODULUS)
@@ -157,121 +154,82 @@ pub fn solve<T: Influence>(
 /// be.
 ///
 /// The order of the sums is fixed by [`LANES`].
-// Inside each instruction set or not at all: a call would not be vectorised.
-#[inline(always)]
 fn influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) -> [T; 2] {
-    let scale = T::from(1.0) / (longest * longest);
-    let term = |half_length: T, y: T, width: T| {
-        let y_squared = (y * y * scale).at_least(MIN_DISTANCE * MIN_DISTANCE);
-        let a_squared = half_length * half_length * scale;
-        let sum = a_squared + y_squared;
-        let complement = y_squared / sum;
-        let (regular, logarithmic) = first_minus_second_split(complement);
-        let s = sum.sqrt();
-        let width = width * longest;
-        [
-            width * s * 2.0 * (regular - complement.normal_ln() * logarithmic),
-            width * a_squared * std::f64::consts::FRAC_PI_2 / s,
-        ]
-    };
-    let mut sums = [[T::from(0.0); LANES]; 2];
-    let blocks = half_lengths.chunks_exact(LANES);
-    let rest = half_lengths.len() - blocks.remainder().len();
-    for ((a, y), w) in blocks.zip(ys.chunks_exact(LANES)).zip(widths.chunks_exact(LANES)) {
-        for lane in 0..LANES {
-            let [own, least] = term(a[lane], y[lane], w[lane]);
-            sums[0][lane] += own;
-            sums[1][lane] += least;
-        }
-    }
-    for j in rest..half_lengths.len() {
-        let [own, least] = term(half_lengths[j], ys[j], widths[j]);
-        sums[0][j - rest] += own;
-        sums[1][j - rest] += least;
-    }
-    sums.map(|lanes| lanes.iter().copied().sum())
+    with_vectors(
+        #[inline(always)]
+        || {
+            let scale = T::from(1.0) / (longest * longest);
+            let term = |half_length: T, y: T, width: T| {
+                let y_squared = (y * y * scale).at_least(MIN_DISTANCE * MIN_DISTANCE);
+                let a_squared = half_length * half_length * scale;
+                let sum = a_squared + y_squared;
+                let complement = y_squared / sum;
+                let (regular, logarithmic) = first_minus_second_split(complement);
+                let s = sum.sqrt();
+                let width = width * longest;
+                [
+                    width * s * 2.0 * (regular - complement.normal_ln() * logarithmic),
+                    width * a_squared * std::f64::consts::FRAC_PI_2 / s,
+                ]
+            };
+            let mut sums = [[T::from(0.0); LANES]; 2];
+            let blocks = half_lengths.chunks_exact(LANES);
+            let rest = half_lengths.len() - blocks.remainder().len();
+            for ((a, y), w) in blocks.zip(ys.chunks_exact(LANES)).zip(widths.chunks_exact(LANES)) {
+                for lane in 0..LANES {
+                    let [own, least] = term(a[lane], y[lane], w[lane]);
+                    sums[0][lane] += own;
+                    sums[1][lane] += least;
+                }
+            }
+            for j in rest..half_lengths.len() {
+                let [own, least] = term(half_lengths[j], ys[j], widths[j]);
+                sums[0][j - rest] += own;
+                sums[1][j - rest] += least;
+            }
+            sums.map(|lanes| lanes.iter().copied().sum())
+        },
+    )
 }
 
 /// What the rule makes of ∫ ln((u - u_c)²) du over a zone, less the integral; nodes are no nearer
 /// to u_c than `least` [m].
-// As above.
-#[inline(always)]
 pub(super) fn logarithm_error<T: Real>(
     rule: &GaussLegendre,
     edge: &Edge<T>,
     contact_u: T,
     least: T,
 ) -> T {
-    let (middle, half) = ((edge.left + edge.right) * 0.5, (edge.right - edge.left) * 0.5);
-    // In units of half the zone, which the error is proportional to.
-    let (contact, least) = ((contact_u - middle) / half, least / half);
-    let least_squared = least * least;
-    let term = |node: f64, weight: f64| {
-        let away = contact - node;
-        (away * away).max(least_squared).normal_ln() * weight
-    };
-    let mut sums = [T::from(0.0); LANES];
-    let blocks = rule.nodes.chunks_exact(LANES);
-    let rest = rule.nodes.len() - blocks.remainder().len();
-    for (nodes, weights) in blocks.zip(rule.weights.chunks_exact(LANES)) {
-        for lane in 0..LANES {
-            sums[lane] += term(nodes[lane], weights[lane]);
-        }
-    }
-    for j in rest..rule.nodes.len() {
-        sums[j - rest] += term(rule.nodes[j], rule.weights[j]);
-    }
-    let antiderivative = |t: T| {
-        let size = t.abs();
-        if size > 0.0 { t * 2.0 * (size.ln() - 1.0) } else { T::from(0.0) }
-    };
-    let exact = antiderivative(-contact + 1.0) - antiderivative(-contact - 1.0);
-    half * (sums.iter().copied().sum::<T>() - exact)
-}
-
-/// Numbers over which the influence of strips is summed.
-pub trait Influence: Real {
-    /// See `influence`.
-    fn influence(half_lengths: &[Self], ys: &[Self], widths: &[Self], longest: Self) -> [Self; 2] {
-        influence(half_lengths, ys, widths, longest)
-    }
-
-    /// See `logarithm_error`.
-    fn logarithm_error(
-        rule: &GaussLegendre,
-        edge: &Edge<Self>,
-        contact_u: Self,
-        least: Self,
-    ) -> Self {
-        logarithm_error(rule, edge, contact_u, least)
-    }
-}
-
-impl<const N: usize> Influence for Dual<N> {}
-
-impl Influence for Taped {}
-
-impl Influence for f64 {
-    fn influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> [f64; 2] {
-        fast_influence(half_lengths, ys, widths, longest)
-    }
-
-    fn logarithm_error(rule: &GaussLegendre, edge: &Edge, contact_u: f64, least: f64) -> f64 {
-        fast_logarithm_error(rule, edge, contact_u, least)
-    }
-}
-
-/// Compiled for several instruction sets, the widest one chosen at run time; all of them give the
-/// same bits.
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn fast_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> [f64; 2] {
-    influence(half_lengths, ys, widths, longest)
-}
-
-/// As above.
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn fast_logarithm_error(rule: &GaussLegendre, edge: &Edge, contact_u: f64, least: f64) -> f64 {
-    logarithm_error(rule, edge, contact_u, least)
+    with_vectors(
+        #[inline(always)]
+        || {
+            let (middle, half) = ((edge.left + edge.right) * 0.5, (edge.right - edge.left) * 0.5);
+            // In units of half the zone, which the error is proportional to.
+            let (contact, least) = ((contact_u - middle) / half, least / half);
+            let least_squared = least * least;
+            let term = |node: f64, weight: f64| {
+                let away = contact - node;
+                (away * away).max(least_squared).normal_ln() * weight
+            };
+            let mut sums = [T::from(0.0); LANES];
+            let blocks = rule.nodes.chunks_exact(LANES);
+            let rest = rule.nodes.len() - blocks.remainder().len();
+            for (nodes, weights) in blocks.zip(rule.weights.chunks_exact(LANES)) {
+                for lane in 0..LANES {
+                    sums[lane] += term(nodes[lane], weights[lane]);
+                }
+            }
+            for j in rest..rule.nodes.len() {
+                sums[j - rest] += term(rule.nodes[j], rule.weights[j]);
+            }
+            let antiderivative = |t: T| {
+                let size = t.abs();
+                if size > 0.0 { t * 2.0 * (size.ln() - 1.0) } else { T::from(0.0) }
+            };
+            let exact = antiderivative(-contact + 1.0) - antiderivative(-contact - 1.0);
+            half * (sums.iter().copied().sum::<T>() - exact)
+        },
+    )
 }
 
 /// Strips whose separation is looked up at once.

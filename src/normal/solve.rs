@@ -5,6 +5,7 @@ use super::shape_correction::ShapeFit;
 use super::strips::Strips;
 use super::{boundary_element, hertz, piotrowski_kik};
 use crate::geometry::contacts::separation::{FrameSeparation, Probe, Separation};
+use crate::math::real::Real;
 
 /// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is
 /// ε of Piotrowski and Kik, `shape_fit` the ratio that their corrected contact area gets.
@@ -34,7 +35,7 @@ pub fn solve(
 
 /// As [`solve`], with derivatives where the numbers have them, by Hertz or Piotrowski and Kik, to
 /// whom the others fall back.
-pub fn solve_in_frame<T: piotrowski_kik::Influence>(
+pub fn solve_in_frame<T: Real>(
     model: NormalModel,
     virtual_penetration: f64,
     shape_fit: ShapeFit,

@@ -90,7 +90,7 @@ pub fn fields(case: &PlanarCase) -> Result<Vec<ContactField>, ContactError> {
         let grid = Grid { left_y: grid.left_y + contact_y, ..grid };
         return Ok(vec![unlike::field(&grid, solution)]);
     }
-    let tangential = tangential_of(case);
+    let mut tangential = tangential_of(case);
     let zones = if strips.elements.is_some() { 1 } else { strips.zones.len() };
     let fields = strips.zones.iter().take(zones).map(|zone| {
         let state = rolling_state(case, contact_y + zone.y);
@@ -215,7 +215,7 @@ fn approach_for(
 fn summarise(case: &PlanarCase, pressed: &Pressed) -> PlanarResult {
     let &Pressed { ref strips, ref material, contact_y, ref coupled, .. } = pressed;
     let mut result = without_creep_forces(strips);
-    let tangential = tangential_of(case);
+    let mut tangential = tangential_of(case);
     if let Some((grid, solution)) = coupled {
         [result.fx, result.fy, result.mz] = unlike::forces(grid, solution, contact_y);
         return result;

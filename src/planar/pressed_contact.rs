@@ -99,7 +99,9 @@ impl PressedContact {
         }
         let rolling =
             zones.zip(&laws).map(|(zone, law)| RollingZone::flat(zone, &self.strips, law));
-        self.tangential.roll(rolling, |_, _, strip| {
+        // A copy, as several callers may ask at once.
+        let mut tangential = self.tangential.clone();
+        tangential.roll(rolling, |_, _, strip| {
             force = [force[0] + strip.longitudinal, force[1] + strip.lateral];
         });
         let adhesion = force[0].hypotenuse(force[1]) / self.load;

@@ -43,7 +43,7 @@
 use super::state::State;
 use crate::math::arctangent::arctangent;
 use crate::math::logarithm::ln;
-use multiversion::multiversion;
+use crate::math::vectors::with_vectors;
 
 /// Corners taken at once.
 pub const LANES: usize = 8;
@@ -70,26 +70,30 @@ const COMPONENTS: usize = 9;
 
 /// Displacement, times the shear modulus, and stress at `point`, whose depth is more than 0, under
 /// all `corners`, in a body with Poisson's ratio `nu`; `blunt` is ε² [m²].
-///
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or
-/// reordered, so that all of them give the same bits.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 #[allow(clippy::needless_range_loop)] // All lists at once: what compiles to vectors.
 pub fn state_under(corners: &[Corners], point: [f64; 3], nu: f64, blunt: f64) -> State {
-    let mut sums = [[0.0; LANES]; COMPONENTS];
-    for corners in corners {
-        let Corners { x, y, traction: [qx, qy, p] } = corners;
-        for l in 0..LANES {
-            let place = [point[0] - x[l], point[1] - y[l], point[2]];
-            let of = corner(place, nu, blunt, [qx[l], qy[l], p[l]]);
-            for (lanes, own) in sums.iter_mut().zip(of) {
-                lanes[l] += own;
+    with_vectors(
+        #[inline(always)]
+        || {
+            let mut sums = [[0.0; LANES]; COMPONENTS];
+            for corners in corners {
+                let Corners { x, y, traction: [qx, qy, p] } = corners;
+                for l in 0..LANES {
+                    let place = [point[0] - x[l], point[1] - y[l], point[2]];
+                    let of = corner(place, nu, blunt, [qx[l], qy[l], p[l]]);
+                    for (lanes, own) in sums.iter_mut().zip(of) {
+                        lanes[l] += own;
+                    }
+                }
             }
-        }
-    }
-    let total = sums.map(|lanes| lanes.iter().sum::<f64>() / (2.0 * std::f64::consts::PI));
-    let [x, y, z, xy, yz, xz, ux, uy, uz] = total;
-    State { displacement: [ux, uy, uz].map(|u| 0.5 * u), stress: [x, y, z, xy, yz, xz].into() }
+            let total = sums.map(|lanes| lanes.iter().sum::<f64>() / (2.0 * std::f64::consts::PI));
+            let [x, y, z, xy, yz, xz, ux, uy, uz] = total;
+            State {
+                displacement: [ux, uy, uz].map(|u| 0.5 * u),
+                stress: [x, y, z, xy, yz, xz].into(),
+            }
+        },
+    )
 }
 
 /// The components that one corner contributes, times 2π, the displacements times 4πG.

@@ -6,16 +6,13 @@ use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
 use super::rigid_slip::RigidSlip;
 use super::rolling::Rolling;
-use super::{fastrip, fastsim, tables};
 use crate::math::dual::Dual;
 use crate::math::tape::Taped;
 use crate::normal::{Strips, Zone};
 
 /// Numbers with which tangential problems are solved; the half-space solution on elements is one of
 /// plain numbers alone.
-pub trait CreepNumber:
-    fastsim::Marching + fastrip::Marching + MarchNumber + tables::tabulated::Tabulated
-{
+pub trait CreepNumber: MarchNumber {
     /// The elements of a zone for the half-space solution.
     fn elements(_: &Zone<Self>, _: &Strips<Self>, _: [usize; 2]) -> Option<LoadedElements> {
         None

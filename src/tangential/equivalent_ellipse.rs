@@ -12,7 +12,7 @@
 pub use super::outline::EquivalentEllipse;
 use super::rigid_slip::RigidSlip;
 use super::tables::EllipseForce;
-use super::tables::tabulated::{ForceTable, Tabulated};
+use super::tables::tabulated::{ForceTable, tabulated};
 use super::{Convergence, CreepForce, Creepage, LoadedZone, Rolling};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
@@ -113,7 +113,7 @@ pub struct RollingEllipse<'a, T = f64> {
     pub limit: T,
 }
 
-impl<T: Tabulated> RollingEllipse<'_, T> {
+impl<T: Real> RollingEllipse<'_, T> {
     /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a
     /// share slips [m²].
     pub fn tabulated_force(&self, table: &impl ForceTable, area: T) -> CreepForce<T> {
@@ -138,7 +138,7 @@ impl<T: Tabulated> RollingEllipse<'_, T> {
     }
 }
 
-impl<T: Tabulated> EquivalentEllipse<T> {
+impl<T: Real> EquivalentEllipse<T> {
     /// Longitudinal and lateral force and moment about the centre from `table` on the body that
     /// creeps, rolling forward under a friction `limit` > 0 [N], with the shear modulus of the bodies
     /// [Pa]; forces in N and N m.
@@ -156,7 +156,7 @@ impl<T: Tabulated> EquivalentEllipse<T> {
         let v = [longitudinal, lateral, c * spin].map(|v| (scale * v).within(-1e100, 1e100));
         let log_ratio = (self.along / self.across).ln();
         let EllipseForce { force: [x, y, moment], slip_share } =
-            T::tabulated(table, log_ratio, poisson_ratio, v);
+            tabulated(table, log_ratio, poisson_ratio, v);
         EllipseForce { force: [limit * x, limit * y, limit * c * moment], slip_share }
     }
 }

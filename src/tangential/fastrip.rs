@@ -30,16 +30,13 @@
 
 use std::f64::consts::PI;
 
-use multiversion::multiversion;
-
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
 use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
-use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
-use crate::math::tape::Taped;
+use crate::math::vectors::with_vectors;
 
 /// Normalised spin of a strip from which on FASTSIM takes over [-].
 const SPIN_FROM: f64 = 0.85;
@@ -59,7 +56,7 @@ pub struct Fastrip {
 
 /// One element, in units of the strip's half length and greatest bound.
 #[derive(Clone, Copy, Debug)]
-pub struct Element {
+struct Element {
     /// Abscissa of its middle, 1 at the leading edge.
     middle: f64,
     /// Abscissa of the middle of the step to it.
@@ -93,7 +90,7 @@ impl Fastrip {
     }
 }
 
-impl<T: Marching> Rule<T> for Fastrip {
+impl<T: Real> Rule<T> for Fastrip {
     /// Strip theory has the flexibilities `three`, the march of FASTSIM those of `blended`. The
     /// friction of `loaded` is above 0.
     fn strip_forces(
@@ -136,7 +133,7 @@ impl<T: Marching> Rule<T> for Fastrip {
                 input.slip_length[lane] = own.slip_length;
                 input.slip_integral[lane] = own.slip_integral;
             }
-            let (fastsim, behind) = T::march_beyond(&input, &self.elements, step);
+            let (fastsim, behind) = march_strips(&input, &self.elements, step);
             for (lane, own) in theory.iter().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
@@ -228,7 +225,7 @@ impl<T: Real> StripTheory<T> {
 
 /// What the march of up to `LANES` strips needs.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct LaneInput<T> {
+struct LaneInput<T> {
     /// Traction increments of FASTSIM for each element.
     step_x: Lanes<T>,
     step_y: Lanes<T>,
@@ -245,7 +242,7 @@ pub struct LaneInput<T> {
 
 /// Integrals over each strip, over t.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Integrals<T> {
+struct Integrals<T> {
     x: Lanes<T>,
     y: Lanes<T>,
     /// Of t p_y.
@@ -253,94 +250,61 @@ pub struct Integrals<T> {
     slipping: Lanes<f64>,
 }
 
-/// Numbers with which strips are marched.
-pub trait Marching: Real {
-    /// See `march_strips`.
-    fn march_beyond(
-        input: &LaneInput<Self>,
-        elements: &[Element],
-        step: f64,
-    ) -> (Integrals<Self>, Integrals<Self>) {
-        march_strips(input, elements, step)
-    }
-}
-
-impl<const N: usize> Marching for Dual<N> {}
-
-impl Marching for Taped {}
-
-impl Marching for f64 {
-    #[inline]
-    fn march_beyond(
-        input: &LaneInput<f64>,
-        elements: &[Element],
-        step: f64,
-    ) -> (Integrals<f64>, Integrals<f64>) {
-        fast_march(input, elements, step)
-    }
-}
-
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused
-/// or reordered, so that all of them give the same bits.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
-fn fast_march(
-    input: &LaneInput<f64>,
-    elements: &[Element],
-    step: f64,
-) -> (Integrals<f64>, Integrals<f64>) {
-    march_strips(input, elements, step)
-}
-
 /// Marches the strips of all lanes at once; `step` is the length of an element. Gives the tractions
 /// of FASTSIM, and those of FaStrip less the closed form of [`StripTheory::adhesion`]: where the
 /// strip slips, and what is cut off where it adheres.
-// Inside each instruction set or not at all: a call would not be vectorised.
-#[inline(always)]
 fn march_strips<T: Real>(
     input: &LaneInput<T>,
     elements: &[Element],
     step: f64,
 ) -> (Integrals<T>, Integrals<T>) {
-    let (mut fastsim, mut behind) = (Integrals::<T>::default(), Integrals::<T>::default());
-    let (mut px, mut py) = ([T::from(0.0); LANES], [T::from(0.0); LANES]);
-    let mut length = 0.5;
-    for element in elements {
-        let [rear, front] = element.integral;
-        let mean = (front - rear) / step;
-        for lane in 0..LANES {
-            let bound = input.bound[lane];
-            let twist = input.step_y_per_abscissa[lane] * element.step_middle;
-            let trial_x = px[lane] + input.step_x[lane] * length;
-            let trial_y = py[lane] + (input.step_y[lane] + twist) * length;
-            let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
-            let size = magnitude.at_least(f64::MIN_POSITIVE);
-            let scale = (bound * mean / size).at_most(1.0);
-            px[lane] = trial_x * scale;
-            py[lane] = trial_y * scale;
-            fastsim.x[lane] += px[lane] * step;
-            fastsim.y[lane] += py[lane] * step;
-            fastsim.moment[lane] += py[lane] * (step * element.middle);
-            fastsim.slipping[lane] += if scale < 1.0 { step } else { 0.0 };
-            // Behind the place where adhesion begins.
-            let reach = input.slip_integral[lane].at_most(front);
-            let limit = bound * (reach - rear).at_least(0.0) / size;
-            // In front of it: what strip theory has beyond the bound.
-            let d = input.slip_length[lane];
-            let (from_middle, half) = (-d + element.middle, -d + 1.0);
-            let inner = (half * half - from_middle * from_middle).at_least(0.0).sqrt();
-            let difference = -inner + element.height;
-            let stick_x = input.adhesion_x[lane] * difference;
-            let stick_y = input.adhesion_y[lane] * difference + input.spin[lane] * inner;
-            let size = (stick_x * stick_x + stick_y * stick_y).sqrt().at_least(f64::MIN_POSITIVE);
-            let share = ((-(d * 2.0) + (element.middle + 1.0)) / step + 0.5).within(0.0, 1.0);
-            let excess = (T::from(element.height) / size).at_most(1.0) - 1.0;
-            let cut = bound * share * step * excess;
-            let y = limit * trial_y + cut * stick_y;
-            behind.x[lane] += limit * trial_x + cut * stick_x;
-            behind.y[lane] += y;
-            behind.moment[lane] += y * element.middle;
-        }
-        length = 1.0;
-    }
-    (fastsim, behind)
+    with_vectors(
+        #[inline(always)]
+        || {
+            let (mut fastsim, mut behind) = (Integrals::<T>::default(), Integrals::<T>::default());
+            let (mut px, mut py) = ([T::from(0.0); LANES], [T::from(0.0); LANES]);
+            let mut length = 0.5;
+            for element in elements {
+                let [rear, front] = element.integral;
+                let mean = (front - rear) / step;
+                for lane in 0..LANES {
+                    let bound = input.bound[lane];
+                    let twist = input.step_y_per_abscissa[lane] * element.step_middle;
+                    let trial_x = px[lane] + input.step_x[lane] * length;
+                    let trial_y = py[lane] + (input.step_y[lane] + twist) * length;
+                    let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
+                    let size = magnitude.at_least(f64::MIN_POSITIVE);
+                    let scale = (bound * mean / size).at_most(1.0);
+                    px[lane] = trial_x * scale;
+                    py[lane] = trial_y * scale;
+                    fastsim.x[lane] += px[lane] * step;
+                    fastsim.y[lane] += py[lane] * step;
+                    fastsim.moment[lane] += py[lane] * (step * element.middle);
+                    fastsim.slipping[lane] += if scale < 1.0 { step } else { 0.0 };
+                    // Behind the place where adhesion begins.
+                    let reach = input.slip_integral[lane].at_most(front);
+                    let limit = bound * (reach - rear).at_least(0.0) / size;
+                    // In front of it: what strip theory has beyond the bound.
+                    let d = input.slip_length[lane];
+                    let (from_middle, half) = (-d + element.middle, -d + 1.0);
+                    let inner = (half * half - from_middle * from_middle).at_least(0.0).sqrt();
+                    let difference = -inner + element.height;
+                    let stick_x = input.adhesion_x[lane] * difference;
+                    let stick_y = input.adhesion_y[lane] * difference + input.spin[lane] * inner;
+                    let size =
+                        (stick_x * stick_x + stick_y * stick_y).sqrt().at_least(f64::MIN_POSITIVE);
+                    let share =
+                        ((-(d * 2.0) + (element.middle + 1.0)) / step + 0.5).within(0.0, 1.0);
+                    let excess = (T::from(element.height) / size).at_most(1.0) - 1.0;
+                    let cut = bound * share * step * excess;
+                    let y = limit * trial_y + cut * stick_y;
+                    behind.x[lane] += limit * trial_x + cut * stick_x;
+                    behind.y[lane] += y;
+                    behind.moment[lane] += y * element.middle;
+                }
+                length = 1.0;
+            }
+            (fastsim, behind)
+        },
+    )
 }

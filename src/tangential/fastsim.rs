@@ -23,15 +23,10 @@
 //! Each strip has its own elements of equal length, so that the result does not depend on a grid
 //! that the patch slides over. The bound of an element, μ p_n, is its mean over the element: full
 //! sliding gives the friction limit to rounding.
-//!
-//! The step from one element to the next stands twice: forces come from
-//! [`Fastsim::strip_forces`], which takes many strips at once (lanes.rs); [`Fastsim::tractions`]
-//! serves pictures and tables of the traction.
 
 mod lanes;
 
-pub use self::lanes::Marching;
-use self::lanes::{LANES, LaneInput};
+use self::lanes::{Elements, LANES, LaneInput};
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
 use super::rule::Rule;
@@ -83,8 +78,12 @@ impl Fastsim {
         Self { bound, profile, abscissae }
     }
 
+    fn elements(&self) -> Elements<'_> {
+        Elements { profile: &self.profile, abscissae: &self.abscissae }
+    }
+
     /// Hands the force of each strip of `loaded` on the wheel to `each`.
-    pub fn strip_forces<T: Marching>(
+    pub fn strip_forces<T: Real>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T, impl Marched<T>>,
         rolling: Rolling,
@@ -122,7 +121,7 @@ impl Fastsim {
                     };
                 *area = strips.width(j) * step;
             }
-            let sums = T::march(&input, lanes, &self.profile, &self.abscissae);
+            let sums = input.march(lanes, self.elements());
             for (lane, area) in areas.into_iter().enumerate().take(lanes) {
                 let j = start + lane;
                 let arm = strips.half_length(j) * direction;
@@ -140,7 +139,7 @@ impl Fastsim {
     }
 }
 
-impl<T: Marching> Rule<T> for Fastsim {
+impl<T: Real> Rule<T> for Fastsim {
     fn strip_forces(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
@@ -167,20 +166,17 @@ impl Fastsim {
         let step = 2.0 * a / self.profile.len() as f64;
         let growth = slip.growth(j, flexibility);
         let bound = loaded.friction_coefficient(j) * self.bounding_pressure(zone, strips, j);
-        let mut p = [0.0; 2];
-        let elements = self.profile.iter().zip(&self.abscissae).enumerate();
-        elements
-            .map(|(k, (profile, [_, abscissa]))| {
-                let length = if k == 0 { 0.5 * step } else { step };
-                p[0] -= length * growth.longitudinal;
-                p[1] -= length * (growth.lateral + abscissa * a * growth.twist);
-                let ratio = bound * profile / p[0].hypotenuse(p[1]);
-                if ratio < 1.0 {
-                    p = p.map(|p| p * ratio);
-                }
-                (p, ratio < 1.0)
-            })
-            .collect()
+        let input = LaneInput {
+            step_x: [-step * growth.longitudinal; LANES],
+            step_y: [-step * growth.lateral; LANES],
+            step_y_per_abscissa: [-step * a * growth.twist; LANES],
+            bound: [bound; LANES],
+        };
+        let mut found = Vec::with_capacity(self.profile.len());
+        input.march_lanes::<1>(self.elements(), |[[x], [y]], [slips]| {
+            found.push(([*x, *y], *slips));
+        });
+        found
     }
 
     /// The pressure p_n that bounds the traction at the centre of strip `j` [Pa].

@@ -6,7 +6,7 @@
 //! one circle, stretched.
 
 use super::equivalent_ellipse::{EquivalentEllipse, RollingEllipse};
-use super::fastsim::{Fastsim, Marching};
+use super::fastsim::Fastsim;
 use super::flexibility::ZoneFlexibility;
 use super::own_friction::OwnFriction;
 use super::rigid_slip::{Growth, RigidSlip};
@@ -72,7 +72,7 @@ impl<T: Real> RigidSlip<T> for StretchedSlip<'_, T> {
 
 impl EllipseStrips {
     /// The force of FASTSIM on the ellipse `rolling`, moment about its centre.
-    pub fn force<T: Marching>(
+    pub fn force<T: Real>(
         &self,
         fastsim: &Fastsim,
         flexibilities: Flexibilities,

@@ -60,6 +60,12 @@ fn one_by_one<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
     })
 }
 
+/// Whether there can be tractions by the `model` under a `load` with a friction `limit` [N].
+fn acts<T: Real>(model: TangentialModel, load: T, limit: T) -> bool {
+    let is_bounded = model != TangentialModel::Linear;
+    model != TangentialModel::None && load > 0.0 && (!is_bounded || limit > 0.0)
+}
+
 impl Tangential {
     /// A model with `elements_along` ≥ 1 elements along each strip, or boundary elements on a grid
     /// of `elements` along and across a zone whose pressure is not yet on one.
@@ -160,7 +166,7 @@ impl Tangential {
     /// The creep force on the wheel of a zone by itself with one creepage at its centroid of load;
     /// nothing where there is nothing to compute: no model, no friction, no load or no creepage.
     pub fn creep_force<T: CreepNumber>(
-        &self,
+        &mut self,
         zone: &Zone<T>,
         strips: &Strips<T>,
         material: &MaterialPair<T>,
@@ -180,13 +186,7 @@ impl Tangential {
     /// Whether there can be tractions in a zone under `law`: with a model, load, and friction that
     /// bounds them.
     pub fn acts_on<T: Real>(&self, zone: &Zone<T>, law: &UnderLaw<T>) -> bool {
-        self.acts(zone.load * law.state.load_factor, law.state.friction_limit(zone))
-    }
-
-    /// Whether there can be tractions under a `load` with a friction `limit` [N].
-    fn acts<T: Real>(&self, load: T, limit: T) -> bool {
-        let is_bounded = !matches!(self.model, Model::Linear(_));
-        !matches!(self.model, Model::None) && load > 0.0 && (!is_bounded || limit > 0.0)
+        acts(self.model(), zone.load * law.state.load_factor, law.state.friction_limit(zone))
     }
 
     /// Hands the force on the wheel of each strip of `zones`, which are all that feel each other in
@@ -194,14 +194,15 @@ impl Tangential {
     /// of the strip. It adds them up: a strip may come twice. Zones on which the model does not
     /// [act](Self::acts_on) have none.
     pub fn roll<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
-        &self,
+        &mut self,
         zones: impl Iterator<Item = RollingZone<'a, S, T>> + Clone,
         each: impl FnMut(usize, usize, StripForce<T>),
     ) -> Convergence {
+        let kind = self.model();
         let zones = zones.enumerate().filter(|(_, RollingZone { loaded, state, limit, .. })| {
-            self.acts(loaded.zone.load * state.load_factor, *limit)
+            acts(kind, loaded.zone.load * state.load_factor, *limit)
         });
-        match &self.model {
+        match &mut self.model {
             Model::None => Convergence::default(),
             Model::Linear(model) => one_by_one(model, zones, each),
             Model::Fastsim(model) => one_by_one(model, zones, each),
@@ -221,7 +222,7 @@ impl Tangential {
     /// tractions to show, the tables and corrected FASTSIM those of FASTSIM, corrections none, other
     /// models pressure alone.
     pub fn field(
-        &self,
+        &mut self,
         zone: &Zone,
         strips: &Strips,
         material: &MaterialPair,
@@ -236,7 +237,7 @@ impl Tangential {
             return field;
         }
         let zone = RollingZone::flat(zone, strips, &law);
-        match &self.model {
+        match &mut self.model {
             Model::Fastsim(march)
             | Model::Tables(Tabulated { shown: march, .. })
             | Model::FastsimCorrected(Corrected { march, .. }) => {

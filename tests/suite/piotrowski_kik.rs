@@ -59,7 +59,7 @@ fn table_1(model: NormalModel, fit: ShapeFit) -> ([f64; 5], [f64; 2]) {
     let creepage = Creepage { longitudinal: longitudinal - spin * zone.y, lateral: 0.0, spin };
     let state =
         RollingState { creepage, forward_share: 1.0, friction: 0.4, load_factor: 1.0, speed: 1.0 };
-    let fastsim = Tangential::new(
+    let mut fastsim = Tangential::new(
         TangentialModel::Fastsim,
         Flexibilities::Three,
         TractionBound::Elliptic,

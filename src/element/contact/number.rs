@@ -7,11 +7,10 @@ use crate::geometry::contacts::moving_separation::MovingSeparation;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::dual::Dual;
 use crate::math::tape::Taped;
-use crate::normal::piotrowski_kik::Influence;
 use crate::tangential::{CreepNumber, UnderLaw};
 
 /// Numbers with which contacts are brought to forces; wear is that of plain ones alone.
-pub trait ElementNumber: CreepNumber + Influence {
+pub trait ElementNumber: CreepNumber {
     /// The separation of wheel and rail in the frame of a contact.
     type Separation<'a>: RailSeparation<Self> + Clone;
 

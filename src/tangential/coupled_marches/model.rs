@@ -1,7 +1,6 @@
 //! The coupled marches as a tangential model.
 
 use std::f64::consts::FRAC_PI_2;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::differences::Differences;
 use super::parts::ZoneParts;
@@ -22,77 +21,58 @@ use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
 use crate::tangential::zone_model::RollingZone;
 
-/// Solvers in plain numbers and with derivatives.
+/// The model, with solvers in plain numbers and with derivatives.
 #[derive(Clone, Debug)]
-pub struct Memory {
-    pub(super) plain: Solver,
-    pub(super) moving: Solver<Dual<DIRECTIONS>>,
+pub struct CoupledMarches {
+    plain: Solver,
+    moving: Solver<Dual<DIRECTIONS>>,
     /// For derivatives backwards, once they have been asked for.
     taped: Option<Box<Solver<Taped>>>,
-}
-
-/// The model, with memory that one contact at a time has; another one that comes while it is in use
-/// waits.
-#[derive(Debug)]
-pub struct CoupledMarches {
-    memory: Mutex<Box<Memory>>,
     /// What is missing on ellipses.
     differences: &'static Differences,
-}
-
-impl Clone for CoupledMarches {
-    fn clone(&self) -> Self {
-        Self { memory: Mutex::new(self.lend().clone()), differences: self.differences }
-    }
 }
 
 impl CoupledMarches {
     /// For zones of up to `strips` strips; larger ones allocate.
     pub fn new(strips: usize) -> Self {
-        let memory =
-            Memory { plain: Solver::new(strips), moving: Solver::new(strips), taped: None };
-        Self { memory: Mutex::new(Box::new(memory)), differences: Differences::shared() }
-    }
-
-    /// The memory. Each solution begins with what it takes, also after one that did not end.
-    fn lend(&self) -> MutexGuard<'_, Box<Memory>> {
-        self.memory.lock().unwrap_or_else(PoisonError::into_inner)
+        Self {
+            plain: Solver::new(strips),
+            moving: Solver::new(strips),
+            taped: None,
+            differences: Differences::shared(),
+        }
     }
 }
 
 /// Numbers with which solutions are found.
 pub trait MarchNumber: Real {
-    /// Solves for `zones` with their strips, with what is missing on ellipses by the table
-    /// `differences`, and hands the tractions of all strips, in their order, to `each`, which adds
-    /// them up: they may come in several parts.
+    /// Solves for `zones` with their strips and hands the tractions of all strips, in their order, to
+    /// `each`, which adds them up: they may come in several parts.
     fn march_strips(
-        memory: &mut Memory,
+        model: &mut CoupledMarches,
         zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
         poisson_ratio: Self,
-        differences: &Differences,
         each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     );
 }
 
 impl MarchNumber for f64 {
     fn march_strips(
-        memory: &mut Memory,
+        model: &mut CoupledMarches,
         zones: impl Iterator<Item = (ZoneParts, impl Iterator<Item = Strip>)> + Clone,
         poisson_ratio: f64,
-        differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant>),
     ) {
-        memory.plain.solve_zones(zones, poisson_ratio, differences);
-        each(&mut memory.plain.resultants().copied());
+        model.plain.solve_zones(zones, poisson_ratio, model.differences);
+        each(&mut model.plain.resultants().copied());
     }
 }
 
 impl<const N: usize> MarchNumber for Dual<N> {
     fn march_strips(
-        memory: &mut Memory,
+        model: &mut CoupledMarches,
         zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
         poisson_ratio: Self,
-        differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {
         for start in (0..N).step_by(DIRECTIONS) {
@@ -110,8 +90,8 @@ impl<const N: usize> MarchNumber for Dual<N> {
             let of_few = zones
                 .clone()
                 .map(|(parts, strips)| (parts.map(few), strips.map(move |strip| strip.map(few))));
-            memory.moving.solve_zones(of_few, few(poisson_ratio), differences);
-            each(&mut memory.moving.resultants().map(|resultant| Resultant {
+            model.moving.solve_zones(of_few, few(poisson_ratio), model.differences);
+            each(&mut model.moving.resultants().map(|resultant| Resultant {
                 moments: resultant.moments.map(|moments| moments.map(back)),
                 slip_share: if start == 0 { resultant.slip_share } else { 0.0 },
             }));
@@ -121,15 +101,14 @@ impl<const N: usize> MarchNumber for Dual<N> {
 
 impl MarchNumber for Taped {
     fn march_strips(
-        memory: &mut Memory,
+        model: &mut CoupledMarches,
         zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
         poisson_ratio: Self,
-        differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {
-        let most = memory.plain.most_strips();
-        let solver = memory.taped.get_or_insert_with(|| Box::new(Solver::new(most)));
-        solver.solve_zones(zones, poisson_ratio, differences);
+        let most = model.plain.most_strips();
+        let solver = model.taped.get_or_insert_with(|| Box::new(Solver::new(most)));
+        solver.solve_zones(zones, poisson_ratio, model.differences);
         each(&mut solver.resultants().copied());
     }
 }
@@ -181,7 +160,7 @@ impl CoupledMarches {
     /// order of their places across, to `each`, which adds them up: with the number of the zone and
     /// that of the strip, which may come twice. Allocates nothing.
     pub fn roll<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
-        &self,
+        &mut self,
         zones: &(impl Iterator<Item = (usize, RollingZone<'a, S, T>)> + Clone),
         mut each: impl FnMut(usize, usize, StripForce<T>),
     ) {
@@ -198,8 +177,7 @@ impl CoupledMarches {
                 let strips = strips.map(move |j| strip(&zone, neck.as_ref(), rolling, j));
                 (parts(&zone, lobes.as_ref(), rolling), strips)
             });
-            let (memory, differences) = (&mut self.lend(), self.differences);
-            T::march_strips(memory, with_strips, poisson_ratio, differences, |found| {
+            T::march_strips(self, with_strips, poisson_ratio, |found| {
                 for (n, zone) in zones.clone() {
                     let (loaded, share) = (&zone.loaded, zone.share(rolling));
                     for (j, resultant) in members(*loaded).zip(&mut *found) {
@@ -214,16 +192,15 @@ impl CoupledMarches {
     /// Enters the tractions of a zone that rolls forward into `field`, whose grid is that of
     /// `elements`: shares of the bound of a cell there, of that of the pressure here.
     pub(in super::super) fn draw(
-        &self,
+        &mut self,
         zone: &RollingZone<'_, impl RigidSlip>,
         elements: &LoadedElements,
         field: &mut ContactField,
     ) {
         let loaded = &zone.loaded;
         let strips = loaded.strips;
-        let mut memory = self.lend();
-        memory.plain.take(members(*loaded).map(|j| strip(zone, None, Rolling::Forward, j)));
-        let cells = memory.plain.tractions(loaded.material.poisson_ratio);
+        self.plain.take(members(*loaded).map(|j| strip(zone, None, Rolling::Forward, j)));
+        let cells = self.plain.tractions(loaded.material.poisson_ratio);
         let numbers: Vec<usize> = members(*loaded).collect();
         for (row, strip) in elements.rows_of(loaded.zone) {
             let Some(marched) = numbers.iter().position(|&j| j == strip) else { continue };

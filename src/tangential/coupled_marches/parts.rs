@@ -12,7 +12,7 @@ use crate::kinematics::creepage::Creepage;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::tangential::equivalent_ellipse::LoadedPart;
-use crate::tangential::tables::tabulated::{ForceTable, Tabulated};
+use crate::tangential::tables::tabulated::ForceTable;
 
 /// A zone and its parts, as ellipses.
 #[derive(Clone, Copy, Debug)]
@@ -249,7 +249,7 @@ impl<T: Real> Zones<T> {
     }
 }
 
-impl<T: Tabulated> Zones<T> {
+impl<T: Real> Zones<T> {
     /// Finds what the marches lack in the creepages that are felt, by the `table`.
     pub fn look_up(&mut self, ratio: &Ratio<T>, poisson_ratio: T, table: &impl ForceTable) {
         for z in 0..self.zones.len() {

@@ -2,7 +2,7 @@
 //! before it cause.
 
 #[cfg(target_arch = "x86_64")]
-use pulp::{NullaryFnOnce, x86::V3};
+use pulp::x86::V3;
 
 use super::influence::{Influence, Pair, Ratio, WIDEST};
 use super::march::{ALONG, CELLS, LANES, Marched, march};
@@ -10,7 +10,8 @@ use super::parts::{ZoneParts, Zones};
 use super::state::{Resultant, State, Strip, receive};
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::tangential::tables::tabulated::{ForceTable, Tabulated};
+use crate::math::vectors::Work;
+use crate::tangential::tables::tabulated::ForceTable;
 
 /// Marches: with more of them errors against boundary elements stay what they are.
 const ROUNDS: usize = 3;
@@ -250,7 +251,7 @@ impl Solver {
     }
 }
 
-impl<T: Tabulated> Solver<T> {
+impl<T: Real> Solver<T> {
     /// Solves for `zones` with their strips, in the order of their places, on bodies of this Poisson's
     /// ratio, with what marches lack on their ellipses by the `table`.
     pub fn solve_zones(
@@ -294,7 +295,10 @@ impl<T: Real> Solver<T> {
     fn by_any(&mut self, ratio: &Ratio<T>, stage: Stage) {
         #[cfg(target_arch = "x86_64")]
         if let Some(simd) = V3::try_new() {
-            return simd.vectorize(Rounds { solver: self, ratio, stage });
+            return simd.vectorize(Work(
+                #[inline(always)]
+                || self.rounds::<true>(ratio, stage),
+            ));
         }
         self.rounds::<FUSED>(ratio, stage);
     }
@@ -305,23 +309,5 @@ impl<T: Real> Solver<T> {
             Stage::Begin(rounds) => self.begin::<F>(ratio, rounds),
             Stage::GoOn(rounds) => self.go_on::<F>(ratio, rounds),
         }
-    }
-}
-
-/// Rounds, to be compiled for AVX2 with products that are added at once.
-#[cfg(target_arch = "x86_64")]
-struct Rounds<'a, T> {
-    solver: &'a mut Solver<T>,
-    ratio: &'a Ratio<T>,
-    stage: Stage,
-}
-
-#[cfg(target_arch = "x86_64")]
-impl<T: Real> NullaryFnOnce for Rounds<'_, T> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        self.solver.rounds::<true>(self.ratio, self.stage);
     }
 }

@@ -1,11 +1,11 @@
 //! The steps of FASTSIM along many strips at once, so that the processor takes several of them in
 //! one instruction, and with derivatives.
 
-use multiversion::multiversion;
+use std::array::from_fn;
 
 use crate::math::dual::Dual;
-use crate::math::real::Real;
-use crate::math::tape::Taped;
+use crate::math::real::{Real, as_is};
+use crate::math::vectors::with_vectors;
 
 /// Strips that are marched through together, that is integrated along from their leading edges.
 pub const LANES: usize = 32;
@@ -30,194 +30,105 @@ pub struct Sums<T> {
     pub slipping: Lanes<f64>,
 }
 
-/// Numbers with which strips are marched.
-pub trait Marching: Real {
+/// The elements of a strip, see [`Fastsim`](super::Fastsim).
+#[derive(Clone, Copy, Debug)]
+pub struct Elements<'a> {
+    pub profile: &'a [f64],
+    pub abscissae: &'a [[f64; 2]],
+}
+
+/// Numbers that all a strip depends on: four derivatives do for any number of directions.
+type ByFour = Dual<4>;
+
+impl<T: Real> LaneInput<T> {
+    /// The same in other numbers: of number `k` from 0 in its order.
+    fn map<O: Real>(&self, to: impl Fn(T, usize) -> O) -> LaneInput<O> {
+        LaneInput {
+            step_x: self.step_x.map(|x| to(x, 0)),
+            step_y: self.step_y.map(|x| to(x, 1)),
+            step_y_per_abscissa: self.step_y_per_abscissa.map(|x| to(x, 2)),
+            bound: self.bound.map(|x| to(x, 3)),
+        }
+    }
+
     /// Marches the strips of the first `lanes` lanes at once.
-    fn march(
-        input: &LaneInput<Self>,
-        lanes: usize,
-        profile: &[f64],
-        abscissae: &[[f64; 2]],
-    ) -> Sums<Self>;
-}
-
-impl Marching for f64 {
-    #[inline]
-    fn march(
-        input: &LaneInput<f64>,
-        lanes: usize,
-        profile: &[f64],
-        abscissae: &[[f64; 2]],
-    ) -> Sums<f64> {
-        march_strips(input, lanes, profile, abscissae)
-    }
-}
-
-impl<const N: usize> Marching for Dual<N> {
-    fn march(
-        input: &LaneInput<Self>,
-        lanes: usize,
-        profile: &[f64],
-        abscissae: &[[f64; 2]],
-    ) -> Sums<Self> {
-        march_as_whole(input, lanes, profile, abscissae)
-    }
-}
-
-impl Marching for Taped {
-    fn march(
-        input: &LaneInput<Self>,
-        lanes: usize,
-        profile: &[f64],
-        abscissae: &[[f64; 2]],
-    ) -> Sums<Self> {
-        march_as_whole(input, lanes, profile, abscissae)
-    }
-}
-
-/// The march of numbers with derivatives: all that a strip depends on are four numbers, so that four
-/// derivatives do for any number of directions. Lanes behind the last one are idle.
-fn march_as_whole<T: Real>(
-    input: &LaneInput<T>,
-    lanes: usize,
-    profile: &[f64],
-    abscissae: &[[f64; 2]],
-) -> Sums<T> {
-    let value = |lanes: &Lanes<T>| lanes.map(T::value);
-    let values = LaneInput {
-        step_x: value(&input.step_x),
-        step_y: value(&input.step_y),
-        step_y_per_abscissa: value(&input.step_y_per_abscissa),
-        bound: value(&input.bound),
-    };
-    let (sums, slopes) = march_with_slopes(&values, profile, abscissae);
-    let moving = |sum: f64, slopes: &[Lanes<f64>; 4], lane: usize| {
-        if lane >= lanes {
-            return T::from(sum);
+    pub fn march(&self, lanes: usize, elements: Elements) -> Sums<T> {
+        let plain = as_is(self).map(|plain: &LaneInput<f64>| plain.march_some(lanes, elements));
+        if let Some(&sums) = plain.as_ref().and_then(as_is) {
+            return sums;
         }
-        let own = [
-            &input.step_x[lane],
-            &input.step_y[lane],
-            &input.step_y_per_abscissa[lane],
-            &input.bound[lane],
-        ];
-        T::combined(sum, own.into_iter().zip(slopes.iter().map(|slopes| slopes[lane])))
-    };
-    Sums {
-        x: std::array::from_fn(|lane| moving(sums.x[lane], &slopes[0], lane)),
-        y: std::array::from_fn(|lane| moving(sums.y[lane], &slopes[1], lane)),
-        y_abscissa: std::array::from_fn(|lane| moving(sums.y_abscissa[lane], &slopes[2], lane)),
-        slipping: sums.slipping,
-    }
-}
-
-/// Marches the strips of the first `lanes` lanes at once.
-///
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused
-/// or reordered, so that all of them give the same bits.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
-fn march_strips(
-    input: &LaneInput<f64>,
-    lanes: usize,
-    profile: &[f64],
-    abscissae: &[[f64; 2]],
-) -> Sums<f64> {
-    let mut sums = Sums::default();
-    match lanes {
-        0..=8 => march_lanes::<8>(input, profile, abscissae, &mut sums),
-        9..=16 => march_lanes::<16>(input, profile, abscissae, &mut sums),
-        _ => march_lanes::<LANES>(input, profile, abscissae, &mut sums),
-    }
-    sums
-}
-
-/// Marches the first `N` lanes and adds to their `sums`.
-// Inside each instruction set or not at all: a call would not be vectorised.
-#[inline(always)]
-fn march_lanes<const N: usize>(
-    input: &LaneInput<f64>,
-    profile: &[f64],
-    abscissae: &[[f64; 2]],
-    sums: &mut Sums<f64>,
-) {
-    let (mut px, mut py) = ([0.0; N], [0.0; N]);
-    // The first element's middle is half a step behind the leading edge.
-    let mut length = 0.5;
-    for (bound, [abscissa, step_abscissa]) in profile.iter().zip(abscissae) {
-        for lane in 0..N {
-            let trial_x = px[lane] + length * input.step_x[lane];
-            let trial_y = py[lane]
-                + length * (input.step_y[lane] + step_abscissa * input.step_y_per_abscissa[lane]);
-            let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
-            let ratio = input.bound[lane] * bound / magnitude;
-            // 0/0 of an idle lane is not a number, and `min` then takes the one.
-            let scale = ratio.min(1.0);
-            px[lane] = trial_x * scale;
-            py[lane] = trial_y * scale;
-            sums.x[lane] += px[lane];
-            sums.y[lane] += py[lane];
-            sums.y_abscissa[lane] += abscissa * py[lane];
-            sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
-        }
-        length = 1.0;
-    }
-}
-
-/// As [`march_strips`], with the derivatives of the sums x, y and y times abscissa by the four
-/// numbers of each lane, in their order.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
-fn march_with_slopes(
-    input: &LaneInput<f64>,
-    profile: &[f64],
-    abscissae: &[[f64; 2]],
-) -> (Sums<f64>, [[Lanes<f64>; 4]; 3]) {
-    let mut sums = Sums::default();
-    let mut slopes = [[[0.0; LANES]; 4]; 3];
-    let (mut px, mut py) = ([0.0; LANES], [0.0; LANES]);
-    let (mut px_by, mut py_by) = ([[0.0; LANES]; 4], [[0.0; LANES]; 4]);
-    let mut length = 0.5;
-    for (bound, [abscissa, step_abscissa]) in profile.iter().zip(abscissae) {
-        // Of the trial tractions, and of the bound.
-        let x_by = [length, 0.0, 0.0, 0.0];
-        let y_by = [0.0, length, length * step_abscissa, 0.0];
-        let bound_by = [0.0, 0.0, 0.0, *bound];
-        let (mut scales, mut per_square, mut per_size) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        let (mut tx, mut ty) = ([0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            let trial_x = px[lane] + length * input.step_x[lane];
-            let trial_y = py[lane]
-                + length * (input.step_y[lane] + step_abscissa * input.step_y_per_abscissa[lane]);
-            let square = trial_x * trial_x + trial_y * trial_y;
-            let magnitude = square.sqrt();
-            let ratio = input.bound[lane] * bound / magnitude;
-            let scale = ratio.min(1.0);
-            let slips = if scale < 1.0 { 1.0 } else { 0.0 };
-            (tx[lane], ty[lane], scales[lane]) = (trial_x, trial_y, scale);
-            // Of the scale by bound and by the square of the magnitude; nothing where the element
-            // adheres.
-            per_size[lane] = if scale < 1.0 { 1.0 / magnitude } else { 0.0 };
-            per_square[lane] = if scale < 1.0 { -ratio / square } else { 0.0 };
-            px[lane] = trial_x * scale;
-            py[lane] = trial_y * scale;
-            sums.x[lane] += px[lane];
-            sums.y[lane] += py[lane];
-            sums.y_abscissa[lane] += abscissa * py[lane];
-            sums.slipping[lane] += slips;
-        }
-        for k in 0..4 {
-            let (px_by, py_by) = (&mut px_by[k], &mut py_by[k]);
-            for lane in 0..LANES {
-                let (dx, dy) = (px_by[lane] + x_by[k], py_by[lane] + y_by[k]);
-                let scale_by = bound_by[k] * per_size[lane]
-                    + per_square[lane] * (tx[lane] * dx + ty[lane] * dy);
-                px_by[lane] = dx * scales[lane] + tx[lane] * scale_by;
-                py_by[lane] = dy * scales[lane] + ty[lane] * scale_by;
-                slopes[0][k][lane] += px_by[lane];
-                slopes[1][k][lane] += py_by[lane];
-                slopes[2][k][lane] += abscissa * py_by[lane];
+        let sums = self.map(|x, k| ByFour::variable(x.value(), k)).march_some(lanes, elements);
+        sums.map(|sum, lane| {
+            if lane >= lanes {
+                return sum.value.into();
             }
-        }
-        length = 1.0;
+            let own = [
+                &self.step_x[lane],
+                &self.step_y[lane],
+                &self.step_y_per_abscissa[lane],
+                &self.bound[lane],
+            ];
+            T::combined(sum.value, own.into_iter().zip(sum.slopes))
+        })
     }
-    (sums, slopes)
+
+    /// As [`march`](Self::march), as many lanes as there are instructions for.
+    fn march_some(&self, lanes: usize, elements: Elements) -> Sums<T> {
+        with_vectors(
+            #[inline(always)]
+            || match lanes {
+                0..=8 => self.march_lanes::<8>(elements, |_, _| {}),
+                9..=16 => self.march_lanes::<16>(elements, |_, _| {}),
+                _ => self.march_lanes::<LANES>(elements, |_, _| {}),
+            },
+        )
+    }
+
+    /// Marches the first `N` lanes; `each` gets the tractions of an element and whether they are
+    /// bounded.
+    #[inline(always)]
+    pub fn march_lanes<const N: usize>(
+        &self,
+        Elements { profile, abscissae }: Elements,
+        mut each: impl FnMut([&[T; N]; 2], &[bool; N]),
+    ) -> Sums<T> {
+        let mut sums = Sums::default();
+        let [mut px, mut py] = [[T::from(0.0); N]; 2];
+        // The first element's middle is half a step behind the leading edge.
+        let mut length = 0.5;
+        for (bound, [abscissa, step_abscissa]) in profile.iter().zip(abscissae) {
+            let mut slips = [false; N];
+            for lane in 0..N {
+                let trial_x = px[lane] + self.step_x[lane] * length;
+                let twist = self.step_y_per_abscissa[lane] * *step_abscissa;
+                let trial_y = py[lane] + (self.step_y[lane] + twist) * length;
+                let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
+                let ratio = self.bound[lane] * *bound / magnitude;
+                // 0/0 of an idle lane is not a number, and the lesser one then is the one.
+                let scale = ratio.at_most(1.0);
+                px[lane] = trial_x * scale;
+                py[lane] = trial_y * scale;
+                sums.x[lane] += px[lane];
+                sums.y[lane] += py[lane];
+                sums.y_abscissa[lane] += py[lane] * *abscissa;
+                sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
+                slips[lane] = scale < 1.0;
+            }
+            each([&px, &py], &slips);
+            length = 1.0;
+        }
+        sums
+    }
+}
+
+impl<T: Real> Sums<T> {
+    /// The same in other numbers: of each lane.
+    fn map<O: Real>(&self, to: impl Fn(T, usize) -> O) -> Sums<O> {
+        Sums {
+            x: from_fn(|lane| to(self.x[lane], lane)),
+            y: from_fn(|lane| to(self.y[lane], lane)),
+            y_abscissa: from_fn(|lane| to(self.y_abscissa[lane], lane)),
+            slipping: self.slipping,
+        }
+    }
 }

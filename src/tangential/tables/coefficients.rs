@@ -1,6 +1,6 @@
 //! Spline coefficients over up to four coordinates, four channels at each knot, and sums over them.
 
-use multiversion::multiversion;
+use crate::math::vectors::with_vectors;
 
 /// Channels of a knot: longitudinal and lateral force, moment, share of slip.
 pub type Channels = [f64; 4];
@@ -82,85 +82,92 @@ impl Coefficients {
     }
 }
 
-// No operation is fused or reordered, so that all versions give the same bits.
-#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 fn value(values: &[[f32; 4]], strides: [usize; 3], depth: usize, places: &[Place; 4]) -> Channels {
-    let mut sum = [0.0; 4];
-    let from = places[3].first;
-    let inner = places[3].weights;
-    for i in 0..4 {
-        for j in 0..depth {
-            let outer = places[0].weights[i] * places[1].weights[j];
-            let at = (places[0].first + i) * strides[0]
-                + (places[1].first + j) * strides[1]
-                + places[2].first * strides[2]
-                + from;
-            for k in 0..4 {
-                let weight = outer * places[2].weights[k];
-                let at = at + k * strides[2];
-                let Some(row) = values.get(at..at + 4) else { continue };
-                for c in 0..4 {
-                    let along = inner[0] * f64::from(row[0][c])
-                        + inner[1] * f64::from(row[1][c])
-                        + inner[2] * f64::from(row[2][c])
-                        + inner[3] * f64::from(row[3][c]);
-                    sum[c] += weight * along;
+    with_vectors(
+        #[inline(always)]
+        || {
+            let mut sum = [0.0; 4];
+            let from = places[3].first;
+            let inner = places[3].weights;
+            for i in 0..4 {
+                for j in 0..depth {
+                    let outer = places[0].weights[i] * places[1].weights[j];
+                    let at = (places[0].first + i) * strides[0]
+                        + (places[1].first + j) * strides[1]
+                        + places[2].first * strides[2]
+                        + from;
+                    for k in 0..4 {
+                        let weight = outer * places[2].weights[k];
+                        let at = at + k * strides[2];
+                        let Some(row) = values.get(at..at + 4) else { continue };
+                        for c in 0..4 {
+                            let along = inner[0] * f64::from(row[0][c])
+                                + inner[1] * f64::from(row[1][c])
+                                + inner[2] * f64::from(row[2][c])
+                                + inner[3] * f64::from(row[3][c]);
+                            sum[c] += weight * along;
+                        }
+                    }
                 }
             }
-        }
-    }
-    sum
+            sum
+        },
+    )
 }
 
-#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 fn value_and_slopes(
     values: &[[f32; 4]],
     strides: [usize; 3],
     depth: usize,
     places: &[Place; 4],
 ) -> Sums {
-    let mut sums = [[0.0; 4]; 5];
-    let from = places[3].first;
-    for i in 0..4 {
-        // By the second, third and fourth coordinate.
-        let mut plane = [[0.0; 4]; 4];
-        for j in 0..depth {
-            let at = (places[0].first + i) * strides[0]
-                + (places[1].first + j) * strides[1]
-                + places[2].first * strides[2]
-                + from;
-            let mut line = [[0.0; 4]; 3];
-            for k in 0..4 {
-                let at = at + k * strides[2];
-                let Some(row) = values.get(at..at + 4) else { continue };
-                let (weight, slope) = (places[2].weights[k], places[2].slopes[k]);
-                for c in 0..4 {
-                    let (mut along, mut along_slope) = (0.0, 0.0);
-                    for (l, knot) in row.iter().enumerate() {
-                        along += places[3].weights[l] * f64::from(knot[c]);
-                        along_slope += places[3].slopes[l] * f64::from(knot[c]);
+    with_vectors(
+        #[inline(always)]
+        || {
+            let mut sums = [[0.0; 4]; 5];
+            let from = places[3].first;
+            for i in 0..4 {
+                // By the second, third and fourth coordinate.
+                let mut plane = [[0.0; 4]; 4];
+                for j in 0..depth {
+                    let at = (places[0].first + i) * strides[0]
+                        + (places[1].first + j) * strides[1]
+                        + places[2].first * strides[2]
+                        + from;
+                    let mut line = [[0.0; 4]; 3];
+                    for k in 0..4 {
+                        let at = at + k * strides[2];
+                        let Some(row) = values.get(at..at + 4) else { continue };
+                        let (weight, slope) = (places[2].weights[k], places[2].slopes[k]);
+                        for c in 0..4 {
+                            let (mut along, mut along_slope) = (0.0, 0.0);
+                            for (l, knot) in row.iter().enumerate() {
+                                along += places[3].weights[l] * f64::from(knot[c]);
+                                along_slope += places[3].slopes[l] * f64::from(knot[c]);
+                            }
+                            line[0][c] += weight * along;
+                            line[1][c] += slope * along;
+                            line[2][c] += weight * along_slope;
+                        }
                     }
-                    line[0][c] += weight * along;
-                    line[1][c] += slope * along;
-                    line[2][c] += weight * along_slope;
+                    let (weight, slope) = (places[1].weights[j], places[1].slopes[j]);
+                    for c in 0..4 {
+                        plane[0][c] += weight * line[0][c];
+                        plane[1][c] += slope * line[0][c];
+                        plane[2][c] += weight * line[1][c];
+                        plane[3][c] += weight * line[2][c];
+                    }
+                }
+                let (weight, slope) = (places[0].weights[i], places[0].slopes[i]);
+                for c in 0..4 {
+                    sums[0][c] += weight * plane[0][c];
+                    sums[1][c] += slope * plane[0][c];
+                    sums[2][c] += weight * plane[1][c];
+                    sums[3][c] += weight * plane[2][c];
+                    sums[4][c] += weight * plane[3][c];
                 }
             }
-            let (weight, slope) = (places[1].weights[j], places[1].slopes[j]);
-            for c in 0..4 {
-                plane[0][c] += weight * line[0][c];
-                plane[1][c] += slope * line[0][c];
-                plane[2][c] += weight * line[1][c];
-                plane[3][c] += weight * line[2][c];
-            }
-        }
-        let (weight, slope) = (places[0].weights[i], places[0].slopes[i]);
-        for c in 0..4 {
-            sums[0][c] += weight * plane[0][c];
-            sums[1][c] += slope * plane[0][c];
-            sums[2][c] += weight * plane[1][c];
-            sums[3][c] += weight * plane[2][c];
-            sums[4][c] += weight * plane[3][c];
-        }
-    }
-    sums
+            sums
+        },
+    )
 }

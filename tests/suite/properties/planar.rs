@@ -73,7 +73,7 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
             longitudinal: size * longitudinal, lateral: size * lateral, spin: 300.0 * size * spin,
         };
         let state = RollingState { creepage, forward_share, friction, load_factor, speed: 20.0 };
-        for (model, bound, tangential) in &tangential {
+        for (model, bound, mut tangential) in tangential.clone() {
             let mut forces = vec![[0.0; 2]; zone.count];
             let law = tangential.under_law(&zone, &strips, &material, &state);
             let rolling = RollingZone::flat(&zone, &strips, &law);
@@ -89,7 +89,7 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
             // sum.
             let is_corrected =
                 matches!(model, TangentialModel::FastsimCorrected | TangentialModel::Marches);
-            if is_corrected || *bound == TractionBound::Parabolic {
+            if is_corrected || bound == TractionBound::Parabolic {
                 continue;
             }
             for (j, force) in forces.iter().enumerate() {
@@ -151,7 +151,7 @@ fn friction_on_an_ellipse_takes_energy() {
         };
         let state =
             RollingState { creepage, forward_share: 1.0, friction, load_factor: 1.0, speed: 20.0 };
-        for (model, tangential) in &models {
+        for (model, mut tangential) in models.clone() {
             let law = tangential.under_law(&zone, &strips, &material, &state);
             let rolling = RollingZone::flat(&zone, &strips, &law);
             let mut sum = [0.0; 3];

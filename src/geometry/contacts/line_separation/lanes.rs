@@ -5,13 +5,12 @@
 //! far along the arc of the curvature there as the place is across. What is not found in a few
 //! steps, and what no loop can do, is done one by one.
 
-use multiversion::multiversion;
-
 use super::{LineSeparation, MIN_COSINE};
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::separation::{Separation, SeparationPoint};
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::wheel::contact_line::ContactLine;
+use crate::math::vectors::with_vectors;
 
 /// Places that are looked up at once.
 const LANES: usize = 8;
@@ -40,10 +39,6 @@ impl LineSeparation<'_> {
 
 /// Fills `found` for the parameters `us` block by block; the separation is not a number where it
 /// was not found.
-///
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused
-/// or reordered, so that all of them give the same bits.
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
 fn fill_blocks(
     line: &ContactLine,
     rail: &PlacedRail,
@@ -51,12 +46,17 @@ fn fill_blocks(
     us: &[f64],
     found: &mut [SeparationPoint],
 ) {
-    for (us, found) in us.chunks(LANES).zip(found.chunks_mut(LANES)) {
-        // Idle lanes do what the last one does.
-        let lanes: Lanes = std::array::from_fn(|lane| us[lane.min(us.len() - 1)]);
-        let block = block(line, rail, contact, &lanes);
-        found.copy_from_slice(&block[..found.len()]);
-    }
+    with_vectors(
+        #[inline(always)]
+        || {
+            for (us, found) in us.chunks(LANES).zip(found.chunks_mut(LANES)) {
+                // Idle lanes do what the last one does.
+                let lanes: Lanes = std::array::from_fn(|lane| us[lane.min(us.len() - 1)]);
+                let block = block(line, rail, contact, &lanes);
+                found.copy_from_slice(&block[..found.len()]);
+            }
+        },
+    )
 }
 
 // Inside each instruction set or not at all: a call would not be vectorised.

@@ -3,10 +3,11 @@
 use std::arch::x86_64::{__m256d, __m256i};
 use std::f64::consts::LOG2_E;
 
+use pulp::cast;
 use pulp::x86::V3;
-use pulp::{NullaryFnOnce, cast};
 
 use super::{LANES, Lanes, Simd};
+use crate::math::vectors::Work;
 
 /// ln 2 in two parts, of which the first one times a small whole number is exact.
 const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
@@ -124,18 +125,6 @@ impl Simd for V3 {
     #[inline(never)]
     fn apart<R>(self, work: impl FnMut() -> R) -> R {
         self.vectorize(Work(work))
-    }
-}
-
-/// Work that is compiled for AVX2 and done once.
-pub(in super::super) struct Work<F>(pub F);
-
-impl<R, F: FnMut() -> R> NullaryFnOnce for Work<F> {
-    type Output = R;
-
-    #[inline(always)]
-    fn call(mut self) -> R {
-        (self.0)()
     }
 }
 

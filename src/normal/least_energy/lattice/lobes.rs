@@ -11,9 +11,8 @@
 
 use std::ops::Range;
 
-use multiversion::multiversion;
-
 use crate::math::real::Real;
+use crate::math::vectors::with_vectors;
 
 /// Steps of an interval.
 pub(super) const STEPS: usize = 32;
@@ -63,27 +62,28 @@ fn over_all<T: Real>(shares: &[T; PLACES], others: &[T; PLACES]) -> [[T; PLACES]
 }
 
 /// The [`sums`] of any shares.
-///
-/// Compiled for several instruction sets; no operation is fused or reordered, so that all of them
-/// give the same bits.
-#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 fn over_lobes<T: Real, const SKEWED: bool>(
     shares: &[T; PLACES],
     others: &[T; PLACES],
 ) -> [[T; PLACES]; SUMS] {
-    let zero = [T::from(0.0); PLACES];
-    let mut sums = [zero; SUMS];
-    // Least share on the way from each place to the one that is added.
-    let mut least = zero;
-    for (place, (&share, &other)) in shares.iter().zip(others).enumerate() {
-        least[place] = share;
-        add::<T, SKEWED>([share, other], shares, &mut least, &mut sums, 0..place + 1);
-    }
-    for (place, (&share, &other)) in shares.iter().zip(others).enumerate().rev() {
-        least[place] = share;
-        add::<T, SKEWED>([share, other], shares, &mut least, &mut sums, place + 1..PLACES);
-    }
-    sums
+    with_vectors(
+        #[inline(always)]
+        || {
+            let zero = [T::from(0.0); PLACES];
+            let mut sums = [zero; SUMS];
+            // Least share on the way from each place to the one that is added.
+            let mut least = zero;
+            for (place, (&share, &other)) in shares.iter().zip(others).enumerate() {
+                least[place] = share;
+                add::<T, SKEWED>([share, other], shares, &mut least, &mut sums, 0..place + 1);
+            }
+            for (place, (&share, &other)) in shares.iter().zip(others).enumerate().rev() {
+                least[place] = share;
+                add::<T, SKEWED>([share, other], shares, &mut least, &mut sums, place + 1..PLACES);
+            }
+            sums
+        },
+    )
 }
 
 /// Adds what a place with such a share and something else gives to the lobes of the `places`, and
