@@ -22,7 +22,7 @@ pub enum AnyInstance {
 
 /// Runs the same lines on an instance of any unit.
 macro_rules! on_instance {
-    ($any:expr, |$instance:ident| $body:expr) => {
+    ($any:expr, |$instance:tt| $body:expr) => {
         match $any {
             $crate::fmi::any_instance::AnyInstance::Wheel($instance) => $body,
             $crate::fmi::any_instance::AnyInstance::Wheelset($instance) => $body,

@@ -65,6 +65,7 @@ mod dummy_state;
 mod error;
 mod evaluation;
 mod events;
+mod exported;
 mod extrapolation;
 mod floating_point;
 mod guard;
