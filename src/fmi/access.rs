@@ -98,9 +98,7 @@ impl<S: Described> Instance<S> {
         references: &[ValueReference],
         values: &[f64],
     ) -> Result<Status, FmiError> {
-        if let ([reference], [value]) = (references, values)
-            && self.set_dummy_value(*reference, *value)?
-        {
+        if self.set_dummy_value(references, values)? {
             return Ok(Status::Ok);
         }
         self.set(references, |i| Value::Real(values[i]))
@@ -157,8 +155,7 @@ impl<S: Described> Instance<S> {
                 _ => {}
             }
         }
-        let status =
-            if outputs && self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        let status = if outputs { self.evaluate(logger)? } else { Status::Ok };
         if requested && self.values.coupling.monitor {
             self.find_slopes()?;
         }

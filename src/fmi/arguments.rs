@@ -1,46 +1,59 @@
 //! Raw arguments of the host as slices and texts.
 #![allow(unsafe_code)]
 
+use std::cell::Cell;
 use std::ffi::CStr;
 use std::slice;
 
 use crate::fmi::error::FmiError;
 use crate::fmi::types::Text;
 
-/// An array of the host, by the pointer to its first element.
-pub trait Array: Sized {
-    /// The array as Rust has it.
-    type Slice<'a>;
+/// What a host hands over by a pointer to its first element and a count.
+pub trait Pointed<Count>: Sized {
+    /// The same as Rust has it.
+    type Lent<'a>;
 
-    /// The array as a slice; count 0 accepts null.
+    /// What the pointer points to; count 0 accepts null.
     ///
     /// # Safety
     /// FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: an argument array holds as many elements as its count
     /// says and stays for the call. No other argument overlaps one that is written.
-    unsafe fn slice<'a>(
-        self,
-        name: &'static str,
-        count: usize,
-    ) -> Result<Self::Slice<'a>, FmiError>;
+    unsafe fn lend<'a>(self, name: &'static str, count: Count) -> Result<Self::Lent<'a>, FmiError>;
 }
 
-impl<T: 'static> Array for *const T {
-    type Slice<'a> = &'a [T];
+/// The count where a function gives one value through a pointer.
+#[derive(Clone, Copy, Debug)]
+pub struct One;
 
-    unsafe fn slice<'a>(self, name: &'static str, count: usize) -> Result<&'a [T], FmiError> {
+impl<T: 'static> Pointed<usize> for *const T {
+    type Lent<'a> = &'a [T];
+
+    unsafe fn lend<'a>(self, name: &'static str, count: usize) -> Result<&'a [T], FmiError> {
         check_array(name, self, count)?;
         // SAFETY: the caller's promise; null, alignment and size were checked.
         Ok(if count == 0 { &[] } else { unsafe { slice::from_raw_parts(self, count) } })
     }
 }
 
-impl<T: 'static> Array for *mut T {
-    type Slice<'a> = &'a mut [T];
+impl<T: 'static> Pointed<usize> for *mut T {
+    type Lent<'a> = &'a mut [T];
 
-    unsafe fn slice<'a>(self, name: &'static str, count: usize) -> Result<&'a mut [T], FmiError> {
+    unsafe fn lend<'a>(self, name: &'static str, count: usize) -> Result<&'a mut [T], FmiError> {
         check_array(name, self, count)?;
         // SAFETY: the caller's promise; null, alignment and size were checked.
         Ok(if count == 0 { &mut [] } else { unsafe { slice::from_raw_parts_mut(self, count) } })
+    }
+}
+
+impl<T: 'static> Pointed<One> for *mut T {
+    /// A cell: hosts hand over one place for several values that they do not read.
+    type Lent<'a> = &'a Cell<T>;
+
+    unsafe fn lend<'a>(self, name: &'static str, _: One) -> Result<&'a Cell<T>, FmiError> {
+        check_array(name, self, 1)?;
+        // SAFETY: the caller's promise; null and alignment were checked, and a cell is as what is
+        // in it.
+        Ok(unsafe { &*self.cast::<Cell<T>>() })
     }
 }
 

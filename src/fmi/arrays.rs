@@ -29,10 +29,6 @@ enum Target {
     Dummy,
 }
 
-/// Names of the variables that are not in the table; `build/xml3.rs` declares them.
-const TIME: &str = "time";
-const EVENT_INDICATOR: &str = "event_indicator";
-
 impl Target {
     fn of(unit: &'static Unit, reference: ValueReference) -> Result<Self, FmiError> {
         let beyond = unit.variables.len();
@@ -44,6 +40,16 @@ impl Target {
             place if place == beyond => Ok(Self::Time),
             place if place == beyond + 1 => Ok(Self::EventIndicator),
             _ => Err(FmiError::UnknownReference { reference, last: beyond + 1 }),
+        }
+    }
+
+    /// The name of what is not in the table, as `build/xml3.rs` declares it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Elements(_) => "",
+            Self::Time => "time",
+            Self::EventIndicator => "event_indicator",
+            Self::Dummy => STATE_NAME,
         }
     }
 
@@ -111,10 +117,11 @@ impl<S: Described> Instance<S> {
                         return Err(wrong_type(self.interface, variable));
                     }
                 }
-                Target::Time | Target::EventIndicator | Target::Dummy if belongs(Kind::Real) => {}
-                Target::Time => return Err(not_real(TIME)),
-                Target::EventIndicator => return Err(not_real(EVENT_INDICATOR)),
-                Target::Dummy => return Err(not_real(STATE_NAME)),
+                _ if belongs(Kind::Real) => {}
+                other => {
+                    let kind = Interface::V3.type_name(Kind::Real);
+                    return Err(FmiError::WrongType { name: other.name(), kind });
+                }
             }
             wanted += target.len();
         }
@@ -210,9 +217,7 @@ impl<S: Described> Instance<S> {
                     let array = &S::UNIT.variables[reference as usize];
                     return Err(FmiError::Computed(self.interface.name(array)));
                 }
-                Target::Time => return Err(FmiError::Computed(TIME)),
-                Target::EventIndicator => return Err(FmiError::Computed(EVENT_INDICATOR)),
-                Target::Dummy => return Err(FmiError::Computed(STATE_NAME)),
+                other => return Err(FmiError::Computed(other.name())),
             }
         }
         self.survey(references, ("nValues", values.len()), belongs)?;
@@ -225,9 +230,7 @@ impl<S: Described> Instance<S> {
         references: &[ValueReference],
         values: &[f64],
     ) -> Result<Status, FmiError> {
-        if let ([reference], [value]) = (references, values)
-            && self.set_dummy_value(*reference, *value)?
-        {
+        if self.set_dummy_value(references, values)? {
             return Ok(Status::Ok);
         }
         self.set_all(references, values, is_real, |value| Value::Real(*value))
@@ -237,8 +240,4 @@ impl<S: Described> Instance<S> {
     pub fn accept_none(&self, references: &[ValueReference], count: usize) -> Result<(), FmiError> {
         self.survey(references, ("nValues", count), |_| false)
     }
-}
-
-fn not_real(name: &'static str) -> FmiError {
-    FmiError::WrongType { name, kind: Interface::V3.type_name(Kind::Real) }
 }

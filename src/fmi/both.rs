@@ -5,7 +5,7 @@
 
 use std::ptr::null_mut;
 
-use super::arguments::{Array, texts};
+use super::arguments::{One, Pointed, texts};
 use super::bytes;
 use super::error::FmiError;
 use super::exported::functions;
@@ -77,9 +77,8 @@ both! {
     };
 
     /// A new state where null is handed over; another one of this instance is written over.
-    unsafe fn fmi2GetFMUstate fmi3GetFMUState(FMUstate[1]: *mut FmuState) in ALIVE => |i, _| {
-        FMUstate[0] = i.save(FMUstate[0])?;
-        Ok(())
+    unsafe fn fmi2GetFMUstate fmi3GetFMUState(FMUstate[One]: *mut FmuState) in ALIVE => |i, _| {
+        i.save(FMUstate.get()).map(|key| FMUstate.set(key))
     };
 
     safe fn fmi2SetFMUstate fmi3SetFMUState(FMUstate: FmuState) in ALIVE => |i, _| i.load(FMUstate);
@@ -96,9 +95,9 @@ both! {
     };
 
     unsafe fn fmi2SerializedFMUstateSize fmi3SerializedFMUStateSize(
-        FMUstate: FmuState, size[1]: *mut usize,
+        FMUstate: FmuState, size[One]: *mut usize,
     ) in ALIVE => |i, _| {
-        size[0] = bytes::write(i.saved(FMUstate)?).len();
+        size.set(bytes::write(i.saved(FMUstate)?).len());
         Ok(())
     };
 
@@ -108,7 +107,7 @@ both! {
     ) in ALIVE => |i, _| {
         let bytes = bytes::write(i.saved(FMUstate)?);
         // SAFETY: FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: there are `size` bytes.
-        let target = unsafe { serializedState.cast::<u8>().slice("serializedState", size)? };
+        let target = unsafe { serializedState.cast::<u8>().lend("serializedState", size)? };
         i.interface.room(target, bytes.len())?.copy_from_slice(&bytes);
         Ok(())
     };
@@ -116,12 +115,11 @@ both! {
     /// A state of any instance of this unit, in this process or another, and of the unit of the
     /// other version of FMI with the same variables.
     unsafe fn fmi2DeSerializeFMUstate fmi3DeserializeFMUState(
-        serializedState: *const Byte, size: usize, FMUstate[1]: *mut FmuState,
+        serializedState: *const Byte, size: usize, FMUstate[One]: *mut FmuState,
     ) in ALIVE => |i, _| {
         // SAFETY: FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: there are `size` bytes.
-        let bytes = unsafe { serializedState.cast::<u8>().slice("serializedState", size)? };
-        FMUstate[0] = i.put(FMUstate[0], bytes::read(bytes)?)?;
-        Ok(())
+        let bytes = unsafe { serializedState.cast::<u8>().lend("serializedState", size)? };
+        i.put(FMUstate.get(), bytes::read(bytes)?).map(|key| FMUstate.set(key))
     };
 
     safe fn fmi2EnterContinuousTimeMode fmi3EnterContinuousTimeMode()
@@ -129,9 +127,10 @@ both! {
 
     /// Need not be called, no event follows.
     unsafe fn fmi2CompletedIntegratorStep fmi3CompletedIntegratorStep(
-        _: Boolean, enterEventMode[1]: *mut Boolean, terminateSimulation[1]: *mut Boolean,
+        _: Boolean, enterEventMode[One]: *mut Boolean, terminateSimulation[One]: *mut Boolean,
     ) in CONTINUOUS => |_, _| {
-        (enterEventMode[0], terminateSimulation[0]) = (FALSE, FALSE);
+        enterEventMode.set(FALSE);
+        terminateSimulation.set(FALSE);
         Ok(())
     };
 

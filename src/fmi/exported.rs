@@ -6,10 +6,11 @@
 //! ```
 //!
 //! The instance comes before the arguments, which are in the order and with the names of the
-//! standard. What has a count in brackets is an array of the host, and a slice behind the arrow:
-//! nulls are refused by name. In other states than those after `in` the call is refused. Behind the
-//! arrow stand the instance, of whichever unit, and its logger, and what is done with them, which
-//! gives a status or, where all is well, nothing. Each runs guarded: see [`guard`](super::guard).
+//! standard. What has a count in brackets is an array of the host, behind the arrow a slice, and with
+//! [`One`](super::arguments::One) a cell for what the function gives; nulls are refused by name. In
+//! other states than those after `in` the call is refused. Behind the arrow stand the instance, of
+//! whichever unit, and its logger, and what is done with them, which gives a status or, where all is
+//! well, nothing. All of it runs guarded: see [`guard`](super::guard).
 
 /// The functions of an interface.
 macro_rules! functions {
@@ -31,10 +32,9 @@ macro_rules! functions {
                 $crate::fmi::guard::guard(component, CALL, |instance, $logger| {
                     $($(
                         // SAFETY: FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: an array holds as many
-                        // elements as its count says, or the one that the function gives through
-                        // it, and what is written overlaps with none.
+                        // elements as its count says, and one that is written overlaps with none.
                         let $argument = unsafe {
-                            $crate::fmi::arguments::Array::slice(
+                            $crate::fmi::arguments::Pointed::lend(
                                 $argument,
                                 stringify!($argument),
                                 $count,

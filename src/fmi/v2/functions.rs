@@ -3,7 +3,7 @@
 use std::ffi::{c_char, c_int};
 
 use super::types::{Boolean, EventInfo, FALSE, Status, Text, ValueReference, status_kind};
-use crate::fmi::arguments::{Array, texts};
+use crate::fmi::arguments::{One, Pointed, texts};
 use crate::fmi::dummy_state::Asked;
 use crate::fmi::error::FmiError;
 use crate::fmi::exported::{absent, functions};
@@ -135,7 +135,7 @@ functions! { V2;
 /// FMI 2.0, 4.2.3: `value` points to one value.
 unsafe fn write_status<T: 'static>(value: *mut T, status: T) -> Result<Status, FmiError> {
     // SAFETY: the caller's promise.
-    unsafe { value.slice("value", 1)?[0] = status };
+    unsafe { value.lend("value", One)?.set(status) };
     Ok(Status::Ok)
 }
 
@@ -157,8 +157,8 @@ functions! { V2;
     };
 
     /// An event is over at once; outputs read in event mode are those of the inputs.
-    unsafe fn fmi2NewDiscreteStates(eventInfo[1]: *mut EventInfo) in EVENT => |_, _| {
-        eventInfo[0] = EventInfo::default();
+    unsafe fn fmi2NewDiscreteStates(eventInfo[One]: *mut EventInfo) in EVENT => |_, _| {
+        eventInfo.set(EventInfo::default());
         Ok(())
     };
 

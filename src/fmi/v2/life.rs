@@ -3,11 +3,11 @@
 use std::ffi::c_int;
 use std::ptr::null_mut;
 
-use super::callback::Callback;
 use super::types::{
     Boolean, CO_SIMULATION, CallbackFunctions, Component, FALSE, MODEL_EXCHANGE, Text,
 };
 use crate::fmi::arguments::{name, text, text_or_empty};
+use crate::fmi::callback::Callback;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{self, Call, NEVER, Request};
 use crate::fmi::interface::Interface;
@@ -53,7 +53,8 @@ pub unsafe extern "C" fn fmi2Instantiate(
         CO_SIMULATION => Ok(Purpose::CoSimulation),
         other => Err(FmiError::WrongFmuType(other)),
     };
-    let callback = Callback::of(&functions, instance_name.into());
+    let environment = functions.component_environment;
+    let callback = functions.logger.map(|l| Callback::v2(l, environment, instance_name.into()));
     let logger = Logger::new(callback, Interface::V2, logging_on != FALSE);
     let call = Call::new(Interface::V2, "fmi2Instantiate", NEVER);
     guard::instantiate(Request { call, instance_name, purpose, identity, location }, logger)

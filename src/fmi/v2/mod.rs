@@ -7,7 +7,6 @@
 // The names are the standard's, and so is the contract of their pointers.
 #![allow(non_snake_case, clippy::missing_safety_doc)]
 
-mod callback;
 mod functions;
 mod life;
 pub mod types;

@@ -1,7 +1,7 @@
 //! The functions of FMI 3.0 that are not those of FMI 2.0 by another name.
 
 use super::types::{Binary, Boolean, FALSE, Status, Text, ValueReference};
-use crate::fmi::arguments::texts;
+use crate::fmi::arguments::{One, texts};
 use crate::fmi::arrays::{is_choice, is_whole};
 use crate::fmi::dummy_state::Asked;
 use crate::fmi::error::FmiError;
@@ -146,12 +146,14 @@ functions! { V3;
     /// Any length from zero on, always to its end.
     unsafe fn fmi3DoStep(
         currentCommunicationPoint: f64, communicationStepSize: f64, _: Boolean,
-        eventHandlingNeeded[1]: *mut Boolean, terminateSimulation[1]: *mut Boolean,
-        earlyReturn[1]: *mut Boolean, lastSuccessfulTime[1]: *mut f64,
+        eventHandlingNeeded[One]: *mut Boolean, terminateSimulation[One]: *mut Boolean,
+        earlyReturn[One]: *mut Boolean, lastSuccessfulTime[One]: *mut f64,
     ) in STEPPING => |i, logger| {
-        (eventHandlingNeeded[0], terminateSimulation[0], earlyReturn[0]) = (FALSE, FALSE, FALSE);
+        for answer in [eventHandlingNeeded, terminateSimulation, earlyReturn] {
+            answer.set(FALSE);
+        }
         let stepped = i.step(currentCommunicationPoint, communicationStepSize, logger);
-        lastSuccessfulTime[0] = i.time();
+        lastSuccessfulTime.set(i.time());
         stepped
     };
 }
@@ -166,10 +168,10 @@ functions! { V3;
 
     /// An event is over at once; outputs read in event mode are those of the inputs.
     unsafe fn fmi3UpdateDiscreteStates(
-        discreteStatesNeedUpdate[1]: *mut Boolean, terminateSimulation[1]: *mut Boolean,
-        nominalsOfContinuousStatesChanged[1]: *mut Boolean,
-        valuesOfContinuousStatesChanged[1]: *mut Boolean,
-        nextEventTimeDefined[1]: *mut Boolean, nextEventTime[1]: *mut f64,
+        discreteStatesNeedUpdate[One]: *mut Boolean, terminateSimulation[One]: *mut Boolean,
+        nominalsOfContinuousStatesChanged[One]: *mut Boolean,
+        valuesOfContinuousStatesChanged[One]: *mut Boolean,
+        nextEventTimeDefined[One]: *mut Boolean, nextEventTime[One]: *mut f64,
     ) in EVENT => |_, _| {
         for answer in [
             discreteStatesNeedUpdate,
@@ -178,9 +180,9 @@ functions! { V3;
             valuesOfContinuousStatesChanged,
             nextEventTimeDefined,
         ] {
-            answer[0] = FALSE;
+            answer.set(FALSE);
         }
-        nextEventTime[0] = 0.0;
+        nextEventTime.set(0.0);
         Ok(())
     };
 
@@ -201,13 +203,13 @@ functions! { V3;
         in COMPUTABLE => |i, _| i.continuous_states(STATES, Asked::Nominals, nominals);
 
     /// One for all outputs that are whole numbers.
-    unsafe fn fmi3GetNumberOfEventIndicators(nEventIndicators[1]: *mut usize) in ALIVE => |_, _| {
-        nEventIndicators[0] = 1;
+    unsafe fn fmi3GetNumberOfEventIndicators(nEventIndicators[One]: *mut usize) in ALIVE => |_, _| {
+        nEventIndicators.set(1);
         Ok(())
     };
 
-    unsafe fn fmi3GetNumberOfContinuousStates(nContinuousStates[1]: *mut usize) in ALIVE => |i, _| {
-        nContinuousStates[0] = i.state_count();
+    unsafe fn fmi3GetNumberOfContinuousStates(nContinuousStates[One]: *mut usize) in ALIVE => |i, _| {
+        nContinuousStates.set(i.state_count());
         Ok(())
     };
 }

@@ -1,11 +1,11 @@
 //! Making and freeing instances.
 
-use super::callback::Callback;
 use super::types::{
     Boolean, ClockUpdate, Component, ComponentEnvironment, FALSE, IntermediateUpdate, LogMessage,
     Preemption, Text, ValueReference,
 };
 use crate::fmi::arguments::{name, text, text_or_empty};
+use crate::fmi::callback::Callback;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{self, Call, NEVER, Request};
 use crate::fmi::interface::Interface;
@@ -42,7 +42,7 @@ macro_rules! instantiate {
                 let location = text_or_empty("resourcePath", resource_path);
                 (name(instance_name), text("instantiationToken", token), location)
             };
-            let callback = Callback::of(log_message, environment);
+            let callback = log_message.map(|function| Callback::v3(function, environment));
             let logger = Logger::new(callback, Interface::V3, logging_on != FALSE);
             let call = Call::new(Interface::V3, stringify!($name), NEVER);
             let purpose = $purpose;
