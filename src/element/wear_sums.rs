@@ -1,6 +1,8 @@
 //! Wear of the wheel and the rails of one element: what a patch wears off goes into the sums along
 //! the profiles.
 
+use serde::{Deserialize, Serialize};
+
 use super::output::BodyWear;
 use super::parameters::{RAILS, WearDistribution, WearModel, WearParameters};
 use crate::geometry::contacts::line_separation::LineSeparation;
@@ -21,7 +23,7 @@ const MAX_NODES: usize = 512;
 const CELLS: [f64; 2] = [16.0, 80.0];
 
 /// What wear has to remember: all of it, profiles follow.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct WearState {
     /// Time since the last update of the profiles [s].

@@ -56,16 +56,16 @@ impl<S: Described> Instance<S> {
         held.or_else(|| S::integer(&self.values, place as usize)).unwrap_or_default()
     }
 
-    /// Reads boolean variables, each of which `out` takes over.
-    pub fn get_boolean(
+    /// Reads boolean variables.
+    pub fn get_boolean<T: From<bool>>(
         &mut self,
         references: &[ValueReference],
-        mut out: impl FnMut(usize, bool),
+        out: &mut [T],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references.iter().copied(), is_boolean, logger)?;
-        for (place, &reference) in references.iter().enumerate() {
-            out(place, S::boolean(&self.values, reference as usize).unwrap_or_default());
+        for (out, &reference) in out.iter_mut().zip(references) {
+            *out = S::boolean(&self.values, reference as usize).unwrap_or_default().into();
         }
         Ok(status)
     }
@@ -98,9 +98,7 @@ impl<S: Described> Instance<S> {
         references: &[ValueReference],
         values: &[f64],
     ) -> Result<Status, FmiError> {
-        if let ([reference], [value]) = (references, values)
-            && self.set_dummy_value(*reference, *value)?
-        {
+        if self.set_dummy_value(references, values)? {
             return Ok(Status::Ok);
         }
         self.set(references, |i| Value::Real(values[i]))
@@ -157,8 +155,7 @@ impl<S: Described> Instance<S> {
                 _ => {}
             }
         }
-        let status =
-            if outputs && self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        let status = if outputs { self.evaluate(logger)? } else { Status::Ok };
         if requested && self.values.coupling.monitor {
             self.find_slopes()?;
         }

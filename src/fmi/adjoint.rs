@@ -128,10 +128,9 @@ impl<S: Described + Subject> Instance<S> {
     }
 }
 
-/// Whether an unknown is an output of an evaluation.
+/// Whether an unknown is an output of every evaluation.
 fn is_plain<S: Described>(unknown: ValueReference) -> bool {
-    let variable = &S::UNIT.variables[unknown as usize];
-    variable.causality == Causality::Output && !variable.on_request
+    S::UNIT.variables[unknown as usize].is_evaluated()
 }
 
 /// The derivative by a known that a sweep has found.

@@ -22,7 +22,7 @@ pub enum AnyInstance {
 
 /// Runs the same lines on an instance of any unit.
 macro_rules! on_instance {
-    ($any:expr, |$instance:ident| $body:expr) => {
+    ($any:expr, |$instance:tt| $body:expr) => {
         match $any {
             $crate::fmi::any_instance::AnyInstance::Wheel($instance) => $body,
             $crate::fmi::any_instance::AnyInstance::Wheelset($instance) => $body,
@@ -41,24 +41,11 @@ impl AnyInstance {
         starts: &Starts,
         has_state: bool,
     ) -> Result<Self, FmiError> {
+        let made = (interface, purpose, profile_folders, has_state);
         Ok(if unit.guid == Wheelset::UNIT.guid {
-            let values = Box::new(starts.values()?);
-            Self::Wheelset(Box::new(Instance::new(
-                interface,
-                purpose,
-                profile_folders,
-                values,
-                has_state,
-            )))
+            Self::Wheelset(Box::new(instance(starts, made)?))
         } else {
-            let values = Box::new(starts.values()?);
-            Self::Wheel(Box::new(Instance::new(
-                interface,
-                purpose,
-                profile_folders,
-                values,
-                has_state,
-            )))
+            Self::Wheel(Box::new(instance(starts, made)?))
         })
     }
 
@@ -78,4 +65,11 @@ impl AnyInstance {
     pub fn put_into(&mut self, state: State) {
         on_instance!(self, |instance| instance.state = state);
     }
+}
+
+fn instance<S: Described>(
+    starts: &Starts,
+    (interface, purpose, folders, has_state): (Interface, Purpose, Vec<PathBuf>, bool),
+) -> Result<Instance<S>, FmiError> {
+    Ok(Instance::new(interface, purpose, folders, Box::new(starts.values()?), has_state))
 }

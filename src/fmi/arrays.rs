@@ -29,10 +29,6 @@ enum Target {
     Dummy,
 }
 
-/// Names of the variables that are not in the table; `build/xml3.rs` declares them.
-const TIME: &str = "time";
-const EVENT_INDICATOR: &str = "event_indicator";
-
 impl Target {
     fn of(unit: &'static Unit, reference: ValueReference) -> Result<Self, FmiError> {
         let beyond = unit.variables.len();
@@ -44,6 +40,16 @@ impl Target {
             place if place == beyond => Ok(Self::Time),
             place if place == beyond + 1 => Ok(Self::EventIndicator),
             _ => Err(FmiError::UnknownReference { reference, last: beyond + 1 }),
+        }
+    }
+
+    /// The name of what is not in the table, as `build/xml3.rs` declares it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Elements(_) => "",
+            Self::Time => "time",
+            Self::EventIndicator => "event_indicator",
+            Self::Dummy => STATE_NAME,
         }
     }
 
@@ -75,30 +81,14 @@ fn places(
     references.iter().flat_map(elements).copied()
 }
 
-fn is_whole(kind: Kind) -> bool {
+/// Variables of `fmi3Int32`.
+pub(super) fn is_whole(kind: Kind) -> bool {
     kind == Kind::Integer
 }
 
-fn is_choice(kind: Kind) -> bool {
+/// Variables of `fmi3Int64`: enumerations.
+pub(super) fn is_choice(kind: Kind) -> bool {
     is_integer(kind) && !is_whole(kind)
-}
-
-/// A type of variables that the unit has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WholeNumber {
-    /// `fmi3Int32`.
-    Integer,
-    /// An enumeration, as `fmi3Int64`.
-    Choice,
-}
-
-impl WholeNumber {
-    fn belongs(self) -> fn(Kind) -> bool {
-        match self {
-            Self::Integer => is_whole,
-            Self::Choice => is_choice,
-        }
-    }
 }
 
 impl<S: Described> Instance<S> {
@@ -127,10 +117,11 @@ impl<S: Described> Instance<S> {
                         return Err(wrong_type(self.interface, variable));
                     }
                 }
-                Target::Time | Target::EventIndicator | Target::Dummy if belongs(Kind::Real) => {}
-                Target::Time => return Err(not_real(TIME)),
-                Target::EventIndicator => return Err(not_real(EVENT_INDICATOR)),
-                Target::Dummy => return Err(not_real(STATE_NAME)),
+                _ if belongs(Kind::Real) => {}
+                other => {
+                    let kind = Interface::V3.type_name(Kind::Real);
+                    return Err(FmiError::WrongType { name: other.name(), kind });
+                }
             }
             wanted += target.len();
         }
@@ -170,33 +161,30 @@ impl<S: Described> Instance<S> {
         Ok(status)
     }
 
-    /// Reads whole numbers, each of which `out` takes over.
-    pub fn get_whole_numbers(
+    /// Reads whole numbers.
+    pub fn get_integers<T: From<i32>>(
         &mut self,
-        kind: WholeNumber,
         references: &[ValueReference],
-        count: usize,
-        mut out: impl FnMut(usize, i32),
+        out: &mut [T],
+        belongs: fn(Kind) -> bool,
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        self.survey(references, ("nValues", count), kind.belongs())?;
-        let read = places(S::UNIT, references);
-        let status = self.prepare_to_read(read, kind.belongs(), logger)?;
-        for (i, place) in places(S::UNIT, references).enumerate() {
-            out(i, self.integer_at(place));
+        self.survey(references, ("nValues", out.len()), belongs)?;
+        let status = self.prepare_to_read(places(S::UNIT, references), belongs, logger)?;
+        for (out, place) in out.iter_mut().zip(places(S::UNIT, references)) {
+            *out = self.integer_at(place).into();
         }
         Ok(status)
     }
 
-    /// Reads boolean variables, each of which `out` takes over.
-    pub fn get_booleans(
+    /// Reads boolean variables.
+    pub fn get_booleans<T: From<bool>>(
         &mut self,
         references: &[ValueReference],
-        count: usize,
-        out: impl FnMut(usize, bool),
+        out: &mut [T],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        self.survey(references, ("nValues", count), is_boolean)?;
+        self.survey(references, ("nValues", out.len()), is_boolean)?;
         // Each is a variable by itself.
         self.get_boolean(references, out, logger)
     }
@@ -214,12 +202,12 @@ impl<S: Described> Instance<S> {
     }
 
     /// Sets variables; all or, if one of the values is refused, none.
-    fn set_all<'a>(
+    pub fn set_all<'a, T>(
         &mut self,
         references: &[ValueReference],
-        count: usize,
+        values: &'a [T],
         belongs: fn(Kind) -> bool,
-        value: impl Fn(usize) -> Value<'a>,
+        value: impl Fn(&'a T) -> Value<'a>,
     ) -> Result<Status, FmiError> {
         // What can be set is a variable by itself.
         for &reference in references {
@@ -229,13 +217,11 @@ impl<S: Described> Instance<S> {
                     let array = &S::UNIT.variables[reference as usize];
                     return Err(FmiError::Computed(self.interface.name(array)));
                 }
-                Target::Time => return Err(FmiError::Computed(TIME)),
-                Target::EventIndicator => return Err(FmiError::Computed(EVENT_INDICATOR)),
-                Target::Dummy => return Err(FmiError::Computed(STATE_NAME)),
+                other => return Err(FmiError::Computed(other.name())),
             }
         }
-        self.survey(references, ("nValues", count), belongs)?;
-        self.set(references, value)
+        self.survey(references, ("nValues", values.len()), belongs)?;
+        self.set(references, |i| value(&values[i]))
     }
 
     /// Sets real variables.
@@ -244,55 +230,14 @@ impl<S: Described> Instance<S> {
         references: &[ValueReference],
         values: &[f64],
     ) -> Result<Status, FmiError> {
-        if let ([reference], [value]) = (references, values)
-            && self.set_dummy_value(*reference, *value)?
-        {
+        if self.set_dummy_value(references, values)? {
             return Ok(Status::Ok);
         }
-        self.set_all(references, values.len(), is_real, |i| Value::Real(values[i]))
-    }
-
-    /// Sets whole numbers.
-    pub fn set_whole_numbers(
-        &mut self,
-        kind: WholeNumber,
-        references: &[ValueReference],
-        count: usize,
-        value: impl Fn(usize) -> i32,
-    ) -> Result<Status, FmiError> {
-        self.set_all(references, count, kind.belongs(), |i| Value::Integer(value(i)))
-    }
-
-    /// Sets boolean variables.
-    pub fn set_booleans(
-        &mut self,
-        references: &[ValueReference],
-        count: usize,
-        value: impl Fn(usize) -> bool,
-    ) -> Result<Status, FmiError> {
-        self.set_all(references, count, is_boolean, |i| Value::Boolean(value(i)))
-    }
-
-    /// Sets text variables.
-    pub fn set_texts(
-        &mut self,
-        references: &[ValueReference],
-        values: &[&str],
-    ) -> Result<Status, FmiError> {
-        self.set_all(references, values.len(), is_text, |i| Value::Text(values[i]))
+        self.set_all(references, values, is_real, |value| Value::Real(*value))
     }
 
     /// Accepts no variables of a type that the unit has none of.
-    pub fn accept_none(
-        &self,
-        references: &[ValueReference],
-        (name, count): (&'static str, usize),
-    ) -> Result<Status, FmiError> {
-        self.survey(references, (name, count), |_| false)?;
-        Ok(Status::Ok)
+    pub fn accept_none(&self, references: &[ValueReference], count: usize) -> Result<(), FmiError> {
+        self.survey(references, ("nValues", count), |_| false)
     }
-}
-
-fn not_real(name: &'static str) -> FmiError {
-    FmiError::WrongType { name, kind: Interface::V3.type_name(Kind::Real) }
 }

@@ -1,232 +1,139 @@
-//! What functions do that both interfaces have with the same arguments; `call` says which of them
-//! was called.
+//! Functions that both interfaces have with the same arguments.
 #![allow(unsafe_code)]
+// The names are the standard's, and so is the contract of their pointers.
+#![allow(non_snake_case, clippy::missing_safety_doc)]
 
-use std::ffi::c_char;
 use std::ptr::null_mut;
 
-use super::any_instance::on_instance;
-use super::arguments::{array, array_mut, texts, write};
+use super::arguments::{One, Pointed, texts};
 use super::bytes;
-use super::dummy_state::Asked;
 use super::error::FmiError;
-use super::guard::{Call, guard};
+use super::exported::functions;
+use super::guard::{ALIVE, CONTINUOUS, EVENT, INITIALIZATION, RUNNING};
 use super::logger::Category;
-use super::types::{Component, FmuState, Status, Text};
+use super::types::Status;
 
-/// Turns categories of messages on or off.
-///
-/// # Safety
-/// FMI 2.0, 2.1.5, and FMI 3.0, 2.3.1: `categories` holds `count` texts.
-pub unsafe fn set_debug_logging(
-    call: Call,
-    component: Component,
-    on: bool,
-    count: usize,
-    categories: *const Text,
-) -> Status {
-    guard(component, call, |_, logger| {
-        // SAFETY: the caller's promise.
-        let names = unsafe { texts("categories", categories, count)? };
-        logger.set_categories(on, &names)?;
-        Ok(Status::Ok)
-    })
+/// An entry as those of [`functions`], with the names of the function in FMI 2.0 and in FMI 3.0.
+macro_rules! both {
+    ($(
+        $(#[$attribute:meta])*
+        $safety:ident fn $v2:ident $v3:ident($($arguments:tt)*)
+            in $states:expr => |$instance:tt, $logger:tt| $body:expr;
+    )*) => {
+        /// Those of FMI 2.0.
+        pub mod v2 {
+            use super::*;
+            use crate::fmi::v2::types::*;
+
+            functions! { V2; $(
+                $(#[$attribute])*
+                $safety fn $v2($($arguments)*) in $states => |$instance, $logger| $body;
+            )* }
+        }
+
+        /// Those of FMI 3.0.
+        pub mod v3 {
+            use super::*;
+            use crate::fmi::v3::types::*;
+
+            functions! { V3; $(
+                $(#[$attribute])*
+                $safety fn $v3($($arguments)*) in $states => |$instance, $logger| $body;
+            )* }
+        }
+    };
 }
 
-/// Loads the profiles; if one of them cannot be had, initialization mode is not left.
-pub fn exit_initialization(call: Call, component: Component) -> Status {
-    guard(component, call, |instance, logger| {
-        let status = on_instance!(instance, |i| i.exit_initialization(logger))?;
+both! {
+    unsafe fn fmi2SetDebugLogging fmi3SetDebugLogging(
+        loggingOn: Boolean, nCategories: usize, categories[nCategories]: *const Text,
+    ) in ALIVE => |_, logger| {
+        // SAFETY: FMI 2.0, 2.1.5, and FMI 3.0, 2.3.1: the categories are texts.
+        let names = unsafe { texts("categories", categories)? };
+        logger.set_categories(loggingOn != FALSE, &names)
+    };
+
+    /// Loads the profiles; if one of them cannot be had, the mode is not left.
+    safe fn fmi2ExitInitializationMode fmi3ExitInitializationMode()
+    in INITIALIZATION => |i, logger| {
+        let status = i.exit_initialization(logger)?;
         logger.log(Status::Ok, Category::Events, format_args!("initialized"));
         Ok(status)
-    })
-}
+    };
 
-/// Writes worn profiles, where that is asked for; if one cannot be written, the run is not ended.
-pub fn terminate(call: Call, component: Component) -> Status {
-    guard(component, call, |instance, logger| {
-        on_instance!(instance, |i| i.terminate())?;
+    /// Writes worn profiles, where that is asked for; if one cannot be written, the run is not
+    /// ended.
+    safe fn fmi2Terminate fmi3Terminate() in RUNNING => |i, logger| {
+        i.terminate()?;
         logger.log(Status::Ok, Category::Events, format_args!("terminated"));
-        Ok(Status::Ok)
-    })
-}
+        Ok(())
+    };
 
-/// As after instantiation; log categories stay.
-pub fn reset(call: Call, component: Component) -> Status {
-    guard(component, call, |instance, logger| {
-        on_instance!(instance, |i| i.reset());
+    /// As after instantiation; log categories stay.
+    safe fn fmi2Reset fmi3Reset() in ALIVE => |i, logger| {
+        i.reset();
         logger.log(Status::Ok, Category::Events, format_args!("reset"));
-        Ok(Status::Ok)
-    })
-}
+        Ok(())
+    };
 
-/// A new state where null is handed over; another one of this instance is written over.
-///
-/// # Safety
-/// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `state` points to a state pointer of the host.
-pub unsafe fn get_state(call: Call, component: Component, state: *mut FmuState) -> Status {
-    guard(component, call, |instance, _| {
-        // SAFETY: the caller's promise.
-        let target = unsafe { array_mut("FMUstate", state, 1)? };
-        target[0] = on_instance!(instance, |i| i.save(target[0]))?;
-        Ok(Status::Ok)
-    })
-}
+    /// A new state where null is handed over; another one of this instance is written over.
+    unsafe fn fmi2GetFMUstate fmi3GetFMUState(FMUstate[One]: *mut FmuState) in ALIVE => |i, _| {
+        i.save(FMUstate.get()).map(|key| FMUstate.set(key))
+    };
 
-/// Goes back to a state.
-pub fn set_state(call: Call, component: Component, state: FmuState) -> Status {
-    guard(component, call, |instance, _| {
-        on_instance!(instance, |i| i.load(state))?;
-        Ok(Status::Ok)
-    })
-}
+    safe fn fmi2SetFMUstate fmi3SetFMUState(FMUstate: FmuState) in ALIVE => |i, _| i.load(FMUstate);
 
-/// Forgets a state: the host's pointer is null afterwards; null does nothing.
-///
-/// # Safety
-/// As for [`get_state`].
-pub unsafe fn free_state(call: Call, component: Component, state: *mut FmuState) -> Status {
-    guard(component, call, |instance, _| {
-        // SAFETY: the caller's promise.
-        let target = unsafe { array_mut("FMUstate", state, usize::from(!state.is_null()))? };
-        if let Some(held) = target.first_mut().filter(|held| !held.is_null()) {
-            let is_known = on_instance!(instance, |i| i.snapshots.remove(*held).is_some());
-            if !is_known {
-                return Err(FmiError::UnknownState("FMUstate"));
-            }
+    /// The host's pointer is null afterwards; null does nothing.
+    unsafe fn fmi2FreeFMUstate fmi3FreeFMUState(
+        FMUstate[usize::from(!FMUstate.is_null())]: *mut FmuState,
+    ) in ALIVE => |i, _| {
+        if let Some(held) = FMUstate.first_mut().filter(|held| !held.is_null()) {
+            i.snapshots.remove(*held).ok_or(FmiError::UnknownState("FMUstate"))?;
             *held = null_mut();
         }
-        Ok(Status::Ok)
-    })
-}
+        Ok(())
+    };
 
-/// The number of bytes of a state.
-///
-/// # Safety
-/// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `size` points to one size.
-pub unsafe fn serialized_size(
-    call: Call,
-    component: Component,
-    state: FmuState,
-    size: *mut usize,
-) -> Status {
-    guard(component, call, |instance, _| {
-        let count = on_instance!(instance, |i| bytes::write(i.saved(state)?).len());
-        // SAFETY: the caller's promise.
-        unsafe { write("size", size, count) }
-    })
-}
+    unsafe fn fmi2SerializedFMUstateSize fmi3SerializedFMUStateSize(
+        FMUstate: FmuState, size[One]: *mut usize,
+    ) in ALIVE => |i, _| {
+        size.set(bytes::write(i.saved(FMUstate)?).len());
+        Ok(())
+    };
 
-/// Writes a state into at least as many bytes as [`serialized_size`] asks for; `least` says so in
-/// words.
-///
-/// # Safety
-/// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `target` holds `size` bytes.
-pub unsafe fn serialize(
-    call: Call,
-    component: Component,
-    state: FmuState,
-    (target, size): (*mut c_char, usize),
-    least: &'static str,
-) -> Status {
-    guard(component, call, |instance, _| {
-        let bytes = on_instance!(instance, |i| bytes::write(i.saved(state)?));
-        // SAFETY: the caller's promise.
-        let target = unsafe { array_mut("serializedState", target.cast::<u8>(), size)? };
-        let error = FmiError::BadArgument { name: "size", value: size as f64, allowed: least };
-        target.get_mut(..bytes.len()).ok_or(error)?.copy_from_slice(&bytes);
-        Ok(Status::Ok)
-    })
-}
+    /// Into at least as many bytes as the function before asks for.
+    unsafe fn fmi2SerializeFMUstate fmi3SerializeFMUState(
+        FMUstate: FmuState, serializedState: *mut Byte, size: usize,
+    ) in ALIVE => |i, _| {
+        let bytes = bytes::write(i.saved(FMUstate)?);
+        // SAFETY: FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: there are `size` bytes.
+        let target = unsafe { serializedState.cast::<u8>().lend("serializedState", size)? };
+        i.interface.room(target, bytes.len())?.copy_from_slice(&bytes);
+        Ok(())
+    };
 
-/// Reads a state of any instance of this unit, in this process or another.
-///
-/// # Safety
-/// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `bytes` holds `size` bytes, `state` points to a state
-/// pointer.
-pub unsafe fn deserialize(
-    call: Call,
-    component: Component,
-    bytes: *const c_char,
-    size: usize,
-    state: *mut FmuState,
-) -> Status {
-    guard(component, call, |instance, _| {
-        // SAFETY: the caller's promise.
-        let (bytes, target) = unsafe {
-            (array("serializedState", bytes.cast::<u8>(), size)?, array_mut("FMUstate", state, 1)?)
-        };
-        target[0] = on_instance!(instance, |i| i.put(target[0], bytes::read(bytes)?)?);
-        Ok(Status::Ok)
-    })
-}
+    /// A state of any instance of this unit, in this process or another, and of the unit of the
+    /// other version of FMI with the same variables.
+    unsafe fn fmi2DeSerializeFMUstate fmi3DeserializeFMUState(
+        serializedState: *const Byte, size: usize, FMUstate[One]: *mut FmuState,
+    ) in ALIVE => |i, _| {
+        // SAFETY: FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: there are `size` bytes.
+        let bytes = unsafe { serializedState.cast::<u8>().lend("serializedState", size)? };
+        i.put(FMUstate.get(), bytes::read(bytes)?).map(|key| FMUstate.set(key))
+    };
 
-/// Goes on from an event.
-pub fn enter_continuous_time(call: Call, component: Component) -> Status {
-    guard(component, call, |instance, logger| {
-        on_instance!(instance, |i| i.enter_continuous_time(logger))
-    })
-}
+    safe fn fmi2EnterContinuousTimeMode fmi3EnterContinuousTimeMode()
+    in EVENT => |i, logger| i.enter_continuous_time(logger);
 
-/// Takes over the time of model exchange: forces do not depend on it.
-pub fn set_time(call: Call, component: Component, time: f64) -> Status {
-    guard(component, call, |instance, _| {
-        on_instance!(instance, |i| i.set_time(time))?;
-        Ok(Status::Ok)
-    })
-}
+    /// Need not be called, no event follows.
+    unsafe fn fmi2CompletedIntegratorStep fmi3CompletedIntegratorStep(
+        _: Boolean, enterEventMode[One]: *mut Boolean, terminateSimulation[One]: *mut Boolean,
+    ) in CONTINUOUS => |_, _| {
+        enterEventMode.set(FALSE);
+        terminateSimulation.set(FALSE);
+        Ok(())
+    };
 
-/// Gives what is asked of the continuous states, of which there are none but in the variant with a
-/// dummy state. The argument that holds the count is named first.
-///
-/// # Safety
-/// FMI 2.0, 3.2.2, and FMI 3.0, 3.2.1: `elements` holds `count` elements.
-pub unsafe fn continuous_states(
-    call: Call,
-    component: Component,
-    asked: Asked,
-    (name, count): (&'static str, usize),
-    (elements_name, elements): (&'static str, *mut f64),
-) -> Status {
-    guard(component, call, |instance, _| {
-        // SAFETY: the caller's promise.
-        let out = unsafe { array_mut(elements_name, elements, count)? };
-        on_instance!(instance, |i| i.continuous_states(name, asked, out))
-    })
-}
-
-/// Sets the continuous states, of which there are none but in the variant with a dummy state.
-///
-/// # Safety
-/// FMI 2.0, 3.2.2, and FMI 3.0, 3.2.1: `states` holds `count` elements.
-pub unsafe fn set_continuous_states(
-    call: Call,
-    component: Component,
-    (name, count): (&'static str, usize),
-    (states_name, states): (&'static str, *const f64),
-) -> Status {
-    guard(component, call, |instance, _| {
-        // SAFETY: the caller's promise.
-        let states = unsafe { array(states_name, states, count)? };
-        on_instance!(instance, |i| i.set_continuous_states(name, states))
-    })
-}
-
-/// Gives the event indicator: negative where outputs that are whole numbers are others than at the
-/// last event. The argument that holds the count is named first.
-///
-/// # Safety
-/// FMI 2.0, 3.2.2, and FMI 3.0, 3.3: `indicators` holds `count` elements.
-pub unsafe fn event_indicators(
-    call: Call,
-    component: Component,
-    name: &'static str,
-    indicators: *mut f64,
-    count: usize,
-) -> Status {
-    guard(component, call, |instance, logger| {
-        // SAFETY: the caller's promise.
-        let indicators = unsafe { array_mut("eventIndicators", indicators, count)? };
-        on_instance!(instance, |i| i.event_indicators(name, indicators, logger))
-    })
+    /// Forces do not depend on it.
+    safe fn fmi2SetTime fmi3SetTime(time: f64) in EVENT | CONTINUOUS => |i, _| i.set_time(time);
 }

@@ -1,6 +1,8 @@
 //! The beginning of a step, from which its energy residual follows; stiffness and damping of the
 //! contact, and how long a step may be.
 
+use serde::{Deserialize, Serialize};
+
 use crate::element::subject::Subject;
 use crate::element::work_pairs::WorkPairs;
 use crate::element::{ContactSlopes, Element, StepLimit};
@@ -8,7 +10,7 @@ use crate::error::ContactError;
 use crate::variables::{Coupling, StepLimits};
 
 /// The beginning of the last step: its length [s], and the forces that a host held over it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LastStep {
     /// Length [s].
     pub duration: f64,

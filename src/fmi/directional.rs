@@ -89,8 +89,7 @@ impl<S: Described + Subject> Instance<S> {
         sensitivity.fill(0.0);
         if exact {
             for (out, &unknown) in sensitivity.iter_mut().zip(unknowns) {
-                let variable = &S::UNIT.variables[unknown as usize];
-                if variable.causality == Causality::Output && !variable.on_request {
+                if S::UNIT.variables[unknown as usize].is_evaluated() {
                     *out = S::real(rates, unknown as usize).unwrap_or(0.0);
                 }
             }
@@ -115,8 +114,7 @@ impl<S: Described + Subject> Instance<S> {
             let width =
                 beside.sample(known, &self.values, element, &self.profile_folders, wanted)?;
             for (out, &unknown) in sensitivity.iter_mut().zip(unknowns) {
-                let variable = &S::UNIT.variables[unknown as usize];
-                let is_plain = variable.causality == Causality::Output && !variable.on_request;
+                let is_plain = S::UNIT.variables[unknown as usize].is_evaluated();
                 if width > 0.0 && !(is_plain && exact && !is_parameter) {
                     *out += seed * beside.difference(unknown) / width;
                 }

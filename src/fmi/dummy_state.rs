@@ -83,16 +83,17 @@ impl<S: Described> Instance<S> {
         }
     }
 
-    /// Sets the state by its reference; whether that is what it stands for.
+    /// Sets the state by its reference, if that stands alone; whether that is so.
     pub(super) fn set_dummy_value(
         &mut self,
-        reference: ValueReference,
-        value: f64,
+        references: &[ValueReference],
+        values: &[f64],
     ) -> Result<bool, FmiError> {
+        let ([reference], [value]) = (references, values) else { return Ok(false) };
         let [own, _] = state_references(S::UNIT);
-        let is_own = self.dummy_state.is_some() && reference as usize == own;
+        let is_own = self.dummy_state.is_some() && *reference as usize == own;
         if is_own {
-            self.set_dummy_state(value)?;
+            self.set_dummy_state(*value)?;
         }
         Ok(is_own)
     }

@@ -13,6 +13,12 @@ impl FmiError {
         let remedy = format!("call {first} first");
         Self::WrongState { state: "before initialization".into(), remedy }
     }
+
+    /// That of a parameter whose value does not go with the rest.
+    pub fn unfit(name: &str, value: &str, allowed: &str) -> Self {
+        let [name, value, allowed] = [name, value, allowed].map(Into::into);
+        ContactError::BadText { name, value, allowed }.into()
+    }
 }
 
 /// A refusal; the message goes to the host's logger.

@@ -7,7 +7,6 @@ use super::logger::{Category, Logger};
 use super::types::Status;
 use crate::element::parameters::{TangentialHistory, WearModel};
 use crate::element::{Remark, remarks, without_effect};
-use crate::error::ContactError;
 use crate::variables::{Causality, Described, ValuesOf};
 
 impl<S: Described> Instance<S> {
@@ -19,13 +18,12 @@ impl<S: Described> Instance<S> {
             self.check_foundation()?;
             let wear_model = self.wear_model();
             if wear_model != WearModel::Off && self.purpose == Purpose::ModelExchange {
-                return Err(FmiError::from(ContactError::BadText {
-                    name: "wear.model".into(),
-                    value: wear_model.name().into(),
-                    allowed: "in model exchange off: a host that integrates by itself asks for forces at times that it \
-                              may not go to; profiles wear in the steps of co-simulation"
-                        .into(),
-                }));
+                return Err(FmiError::unfit(
+                    "wear.model",
+                    wear_model.name(),
+                    "in model exchange off: a host that integrates by itself asks for forces at times that it \
+                     may not go to; profiles wear in the steps of co-simulation",
+                ));
             }
             self.check_history()?;
             let (parameters, input) = (&self.values.parameters, &self.values.input);
@@ -40,8 +38,13 @@ impl<S: Described> Instance<S> {
         Ok(())
     }
 
-    /// Evaluates the outputs.
+    /// Evaluates the outputs, unless they are those of the inputs.
+    #[inline]
     pub(super) fn evaluate(&mut self, logger: &Logger) -> Result<Status, FmiError> {
+        if self.outputs_stale { self.evaluate_anew(logger) } else { Ok(Status::Ok) }
+    }
+
+    fn evaluate_anew(&mut self, logger: &Logger) -> Result<Status, FmiError> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
         let fallbacks = S::fallback_count(&self.values.output);
         element.evaluate_all(&self.values.input, &mut self.values.output)?;
@@ -114,13 +117,7 @@ impl<S: Described> Instance<S> {
 
     /// Whether contacts with memory go with what the instance is for.
     fn check_history(&self) -> Result<(), FmiError> {
-        let refused = |allowed: &str| {
-            Err(FmiError::from(ContactError::BadText {
-                name: "tangential.history".into(),
-                value: "transient".into(),
-                allowed: allowed.into(),
-            }))
-        };
+        let refused = |allowed| Err(FmiError::unfit("tangential.history", "transient", allowed));
         if !self.remembers() {
             return Ok(());
         }

@@ -19,7 +19,7 @@ const UNCHANGED: f64 = 1.0;
 impl<S: Described> Instance<S> {
     /// Goes on from an event with the numbers of the inputs as they are.
     pub fn enter_continuous_time(&mut self, logger: &Logger) -> Result<Status, FmiError> {
-        let status = if self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        let status = self.evaluate(logger)?;
         let values = &self.values;
         self.held.set(discrete::<S>().map(|v| S::integer(values, v.reference).unwrap_or_default()));
         self.state = State::ContinuousTime;
@@ -48,9 +48,7 @@ impl<S: Described> Instance<S> {
         let mut status = Status::Ok;
         let mut is_changed = false;
         if self.state == State::ContinuousTime {
-            if self.outputs_stale {
-                status = self.evaluate(logger)?;
-            }
+            status = self.evaluate(logger)?;
             // A counter of what evaluations met with belongs to no time.
             is_changed = discrete::<S>().filter(|v| !v.is_counter).any(|v| {
                 S::integer(&self.values, v.reference) != self.held.value(v.reference as u32)

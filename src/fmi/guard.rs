@@ -56,15 +56,6 @@ pub const READABLE: u8 = INITIALIZATION | RUNNING | TERMINATED;
 /// Where inputs can be set.
 pub const SETTABLE: u8 = INSTANTIATED | INITIALIZATION | RUNNING;
 
-/// The calls of an interface: name of the constant, of the function, and where it is legal.
-macro_rules! calls {
-    ($interface:expr; $($constant:ident $name:literal $allowed:expr;)*) => {
-        $(#[doc = $name] pub const $constant: $crate::fmi::guard::Call =
-            $crate::fmi::guard::Call::new($interface, $name, $allowed);)*
-    };
-}
-pub(super) use calls;
-
 /// Runs a call on the instance of a handle, with the processor set as Rust wants it.
 ///
 /// A handle that is none gives an error without a message, and so does a call made from within the

@@ -70,6 +70,16 @@ impl Interface {
         }
     }
 
+    /// The beginning of the host's room for a serialized state, if it is large enough.
+    pub fn room(self, target: &mut [u8], size: usize) -> Result<&mut [u8], FmiError> {
+        let allowed = match self {
+            Self::V2 => "at least what fmi2SerializedFMUstateSize gives",
+            Self::V3 => "at least what fmi3SerializedFMUStateSize gives",
+        };
+        let value = target.len() as f64;
+        target.get_mut(..size).ok_or(FmiError::BadArgument { name: "size", value, allowed })
+    }
+
     /// The folder of resources that this argument names; `None` for what is not admitted. Hosts
     /// that know FMI 2.0 give a URI through FMI 3.0 too.
     pub fn resources(self, location: &str) -> Option<PathBuf> {

@@ -1,7 +1,9 @@
 //! What an instance is made for, where in its life it is, and the time span of its run.
 
+use serde::{Deserialize, Serialize};
+
 /// What an instance is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Purpose {
     /// The host integrates and asks for forces at any time.
     ModelExchange,
@@ -10,7 +12,7 @@ pub enum Purpose {
 }
 
 /// Where in its life an instance is (FMI 2.0, 3.2.3 and 4.2.4).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum State {
     /// Before initialization.
     Instantiated,
@@ -29,7 +31,7 @@ pub enum State {
 }
 
 /// Time span announced by `fmi2SetupExperiment`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Experiment {
     /// Start time [s].
     pub start: f64,

@@ -1,10 +1,11 @@
 //! Messages to the host.
 
 use std::ffi::{CStr, CString};
-use std::fmt::{self, Arguments, Debug, Write};
+use std::fmt::{self, Arguments, Write};
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, PoisonError, TryLockError};
 
+use super::callback::Callback;
 use super::error::FmiError;
 use super::interface::Interface;
 use super::types::Status;
@@ -34,19 +35,10 @@ const ALL: u8 = (1 << LOG_CATEGORIES.len()) - 1;
 /// Room for a message without asking for memory [bytes]; errors with names of files may be longer.
 const ROOM: usize = 2048;
 
-/// The host's function for messages, in the form that its version of the standard has given it.
-pub trait Callback: Debug + Send + Sync {
-    /// Whether the host takes the message as a format of C.
-    fn takes_a_format(&self) -> bool;
-
-    /// Hands a message over; the host copies it.
-    fn call(&self, status: Status, category: &CStr, message: &CStr);
-}
-
 /// Where the messages of one instance go, and which of them.
 #[derive(Debug)]
 pub struct Logger {
-    callback: Option<Box<dyn Callback>>,
+    callback: Option<Callback>,
     enabled: AtomicU8,
     /// Enabled unless turned off by name, whether or not the host has turned messages on.
     always: u8,
@@ -61,11 +53,7 @@ impl Logger {
     ///
     /// FMI 3.0, 2.3.1, wants silence where messages are not turned on; FMI 2.0 leaves it open, and
     /// errors and warnings come in any case.
-    pub fn new(
-        callback: Option<Box<dyn Callback>>,
-        interface: Interface,
-        logging_on: bool,
-    ) -> Self {
+    pub fn new(callback: Option<Callback>, interface: Interface, logging_on: bool) -> Self {
         let always = match interface {
             Interface::V2 => Category::Error.bit() | Category::Warning.bit(),
             Interface::V3 => 0,

@@ -6,8 +6,9 @@
 //! function that makes it through which interface.
 //!
 //! ```text
-//! v2, v3     the exported functions of each interface: raw pointers in, one guarded call each
-//! both       what functions do that both interfaces have with the same arguments
+//! v2, v3     the exported functions of each interface
+//! both       those that both interfaces have with the same arguments
+//! exported   how they are declared: raw pointers in, one guarded call each
 //! arguments  raw pointers as slices and texts
 //! guard      finds the instance, checks that the call is legal now, stops panics, logs
 //! floating_point   settings of the processor during a call
@@ -33,6 +34,7 @@
 //! coupling, extrapolation, held, differences   what steps, inputs, events and derivatives have to remember
 //! references variables by their references
 //! logger     messages to the host
+//! callback   its function for them
 //! error      why a call is refused
 //! interface  what messages have to know of the version of the standard
 //! starts     start values beside a packed unit
@@ -58,6 +60,7 @@ mod arguments;
 mod arrays;
 mod both;
 mod bytes;
+mod callback;
 mod coupling;
 mod differences;
 mod directional;
@@ -65,6 +68,7 @@ mod dummy_state;
 mod error;
 mod evaluation;
 mod events;
+mod exported;
 mod extrapolation;
 mod floating_point;
 mod guard;

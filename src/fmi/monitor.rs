@@ -12,7 +12,7 @@ use crate::variables::{Described, ValuesOf};
 impl<S: Described> Instance<S> {
     /// Forces and velocities of the inputs.
     pub(super) fn work_pairs(&mut self, logger: &Logger) -> Result<(Status, WorkPairs), FmiError> {
-        let status = if self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        let status = self.evaluate(logger)?;
         Ok((status, S::work_pairs(&self.values.input, &self.values.output)))
     }
 

@@ -7,7 +7,6 @@ use super::snapshot::MAX_ELEMENTS;
 use crate::element::parameters::FoundationModel;
 use crate::element::subject::Subject;
 use crate::element::{Element, TrackState};
-use crate::error::ContactError;
 use crate::variables::Described;
 
 /// Most parts of one step: longer ones are made then, which the method survives and tells as an
@@ -20,13 +19,12 @@ impl<S: Described> Instance<S> {
         let all = S::parameters_of_elements(&self.values.parameters);
         let is_moving = all.iter().any(|own| own.foundation.model == FoundationModel::Mass);
         if is_moving && self.purpose == Purpose::ModelExchange {
-            return Err(FmiError::from(ContactError::BadText {
-                name: "track.foundation.model".into(),
-                value: "mass".into(),
-                allowed: "in model exchange rigid or massless: a host that integrates by itself has the rails among its own bodies and moves them \
-                          by rail[1].y, rail[1].vy and so on"
-                    .into(),
-            }));
+            return Err(FmiError::unfit(
+                "track.foundation.model",
+                "mass",
+                "in model exchange rigid or massless: a host that integrates by itself has the rails among its own bodies and moves them \
+                 by rail[1].y, rail[1].vy and so on",
+            ));
         }
         Ok(())
     }

@@ -1,5 +1,7 @@
 //! The state of an instance as `fmi2GetFMUstate` keeps it.
 
+use serde::{Deserialize, Serialize};
+
 use super::coupling::LastStep;
 use super::extrapolation::Extrapolation;
 use super::held::Held;
@@ -55,7 +57,7 @@ pub struct Memory {
 pub const MAX_ELEMENTS: usize = 2;
 
 /// How the outputs of a state are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Outputs {
     /// Not evaluated since the inputs were set.
     Stale,

@@ -30,3 +30,10 @@ pub enum Status {
     /// Of FMI 2.0 alone, never returned: steps are made while the host waits.
     Pending = 5,
 }
+
+/// Of a function that has nothing to say where all is well.
+impl From<()> for Status {
+    fn from((): ()) -> Self {
+        Self::Ok
+    }
+}

@@ -7,7 +7,6 @@ use super::instance::Instance;
 use super::life_cycle::Purpose;
 use crate::element::Parameters;
 use crate::element::parameters::WearModel;
-use crate::error::ContactError;
 use crate::geometry::profiles::profile::ProfileKind;
 use crate::io::{can_be_written, full_name, profile_file, save_profile};
 use crate::variables::{Described, shortened};
@@ -35,11 +34,8 @@ impl<S: Described> Instance<S> {
             let path = Path::new(&file);
             let own = identity(path);
             if let Some((other, _)) = known.iter().find(|(_, path)| *path == own) {
-                return Err(FmiError::from(ContactError::BadText {
-                    value: shortened(&file),
-                    allowed: format!("a file of its own: {other} names this one too"),
-                    name,
-                }));
+                let allowed = format!("a file of its own: {other} names this one too");
+                return Err(FmiError::unfit(&name, &shortened(&file), &allowed));
             }
             can_be_written(&name, path)?;
             known.push((name, own));

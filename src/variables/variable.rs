@@ -1,5 +1,7 @@
 //! What is known about a variable and the unit that has it.
 
+use serde::{Deserialize, Serialize};
+
 use super::spelling;
 
 /// Who sets a variable, and when.
@@ -62,7 +64,7 @@ pub struct Item {
 }
 
 /// A value of any type; enumerations are integers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Value<'a> {
     /// Of a real variable, in its unit.
     Real(f64),
@@ -117,6 +119,11 @@ impl Variable {
     /// Whether it is an input or a parameter.
     pub fn is_settable(&self) -> bool {
         matches!(self.causality, Causality::Input | Causality::Parameter)
+    }
+
+    /// Whether it is an output of every evaluation.
+    pub(crate) fn is_evaluated(&self) -> bool {
+        self.causality == Causality::Output && !self.on_request
     }
 }
 

@@ -5,6 +5,8 @@
 //! the curve in use and carried over. Depths are those of the layer along the inward normal of the
 //! unworn profile.
 
+use serde::{Deserialize, Serialize};
+
 pub use super::body::Body;
 use super::scratch::Scratch;
 use super::section::{POINTS, Station, bulge, shrinking, stations};
@@ -15,7 +17,7 @@ use crate::math::quadrature::GaussLegendre;
 pub const CELL: f64 = 2e-4;
 
 /// What a profile has lost: all that has to be remembered of it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct ArcState {
     /// Volume per length of arc that the curve in use has lost, for each cell [m³/m].

@@ -5,6 +5,8 @@
 //! Without mass they rest in equilibrium with the contact forces (`quasi_static_rails`), and those
 //! with a mass do so until their first step (`moving_rails`).
 
+use serde::{Deserialize, Serialize};
+
 use crate::open::Open;
 
 /// What of the foundation is taken into account.
@@ -52,7 +54,7 @@ impl Default for Foundation {
 }
 
 /// Where the rails of a side with a mass are; pairs are lateral and vertical, of a right side.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TrackState {
     /// Deflection from where they rest without a wheel [m].
     pub deflection: [f64; 2],

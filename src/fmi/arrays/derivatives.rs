@@ -1,11 +1,11 @@
 //! Derivatives of arrays, element by element.
 
-use super::{EVENT_INDICATOR, TIME, Target, places};
+use super::{Target, places};
 use crate::element::subject::Subject;
 use crate::fmi::error::FmiError;
 use crate::fmi::instance::Instance;
 use crate::fmi::types::ValueReference;
-use crate::variables::{Described, STATE_NAME};
+use crate::variables::Described;
 
 impl<S: Described + Subject> Instance<S> {
     /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, element by element, as
@@ -90,13 +90,16 @@ impl<S: Described + Subject> Instance<S> {
             (knowns, "known", "it is no input and no parameter"),
         ] {
             for &reference in references {
-                let name = match self.target(reference)? {
-                    Target::Time => TIME,
-                    Target::EventIndicator if role == "known" => EVENT_INDICATOR,
-                    Target::Dummy if role == "known" => STATE_NAME,
-                    _ => continue,
+                let target = self.target(reference)?;
+                let is_misplaced = match target {
+                    Target::Elements(_) => false,
+                    Target::Time => true,
+                    Target::EventIndicator | Target::Dummy => role == "known",
                 };
-                return Err(FmiError::NoDerivative { name, role, reason });
+                if is_misplaced {
+                    let name = target.name();
+                    return Err(FmiError::NoDerivative { name, role, reason });
+                }
             }
         }
         Ok(())

@@ -7,19 +7,10 @@
 // The names are the standard's, and so is the contract of their pointers.
 #![allow(non_snake_case, clippy::missing_safety_doc)]
 
-mod callback;
-mod calls;
-mod derivatives;
+mod functions;
 mod life;
-mod model_exchange;
-mod states;
-mod step;
 pub mod types;
-mod values;
 
-pub use derivatives::*;
+pub use super::both::v2::*;
+pub use functions::*;
 pub use life::*;
-pub use model_exchange::*;
-pub use states::*;
-pub use step::*;
-pub use values::*;

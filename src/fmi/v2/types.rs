@@ -1,6 +1,6 @@
 //! The types of FMI 2.0 as they cross the interface.
 
-use std::ffi::{c_int, c_void};
+use std::ffi::{c_char, c_int, c_void};
 
 pub use crate::fmi::types::{
     Component, ComponentEnvironment, FmuState, Status, Text, ValueReference,
@@ -12,6 +12,8 @@ pub type Boolean = c_int;
 pub const FALSE: Boolean = 0;
 /// `fmi2True`.
 pub const TRUE: Boolean = 1;
+/// `fmi2Byte`.
+pub type Byte = c_char;
 /// `fmi2ModelExchange` of `fmi2Type`.
 pub const MODEL_EXCHANGE: c_int = 0;
 /// `fmi2CoSimulation` of `fmi2Type`.

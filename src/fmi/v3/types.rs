@@ -13,6 +13,9 @@ pub const FALSE: Boolean = 0;
 /// `fmi3True`.
 pub const TRUE: Boolean = 1;
 
+/// `fmi3Byte`.
+pub type Byte = u8;
+
 /// `fmi3LogMessageCallback`.
 pub type LogMessage = unsafe extern "C" fn(ComponentEnvironment, Status, Text, Text);
 
