@@ -217,7 +217,7 @@ fn add_products(count: usize, influence: &[f64], tractions: &[f64], sums: &mut [
                 syi[k] += xy[k] * xi[k] + xyi[k] * x[k] + yy[k] * yi[k] + yyi[k] * y[k];
             }
         },
-    )
+    );
 }
 
 /// Sums of products of two pairs of rows of whole groups.

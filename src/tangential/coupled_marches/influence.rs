@@ -145,9 +145,10 @@ impl Influence {
         // Below the least distance what is along and across is in proportion to it; what is crossed
         // is that of the edge alone there, which both ends of a strip's band have in common.
         let share = (end / DISTANCES[0]).at_most(1.0);
-        for lane in 0..4 {
-            found[0][lane] *= share;
-            found[1][lane] *= share;
+        for component in &mut found[..2] {
+            for lane in component {
+                *lane *= share;
+            }
         }
         found
     }

@@ -56,7 +56,7 @@ fn fill_blocks(
                 found.copy_from_slice(&block[..found.len()]);
             }
         },
-    )
+    );
 }
 
 // Inside each instruction set or not at all: a call would not be vectorised.
