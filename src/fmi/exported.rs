@@ -29,7 +29,7 @@ macro_rules! functions {
                     stringify!($name),
                     $states,
                 );
-                $crate::fmi::guard::guard(component, CALL, |instance, $logger| {
+                $crate::fmi::guard::guard(component, CALL, &mut |instance, $logger| {
                     $($(
                         // SAFETY: FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: an array holds as many
                         // elements as its count says, and one that is written overlaps with none.

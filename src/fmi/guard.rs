@@ -60,11 +60,10 @@ pub const SETTABLE: u8 = INSTANTIATED | INITIALIZATION | RUNNING;
 ///
 /// A handle that is none gives an error without a message, and so does a call made from within the
 /// logger: it could call again, and so on. An instance that is busy in another thread is told.
-#[inline]
 pub fn guard(
     component: Component,
     call: Call,
-    body: impl FnOnce(&mut AnyInstance, &Logger) -> Result<Status, FmiError>,
+    body: &mut dyn FnMut(&mut AnyInstance, &Logger) -> Result<Status, FmiError>,
 ) -> Status {
     let _settings = OwnSettings::apply();
     catch_unwind(AssertUnwindSafe(|| {
@@ -254,16 +253,16 @@ mod tests {
     #[test]
     fn a_panic_is_an_error_and_closes_the_instance() {
         let component = made_through(Interface::V2);
-        assert_eq!(guard(component, RESET, |_, _| Ok(Status::Ok)), Status::Ok);
-        assert_eq!(guard(component, RESET, |_, _| panic!("on purpose")), Status::Error);
-        assert_eq!(guard(component, RESET, |_, _| Ok(Status::Ok)), Status::Error);
+        assert_eq!(guard(component, RESET, &mut |_, _| Ok(Status::Ok)), Status::Ok);
+        assert_eq!(guard(component, RESET, &mut |_, _| panic!("on purpose")), Status::Error);
+        assert_eq!(guard(component, RESET, &mut |_, _| Ok(Status::Ok)), Status::Error);
         free(component);
     }
 
     #[test]
     fn an_instance_is_for_the_functions_of_its_own_interface() {
         let component = made_through(Interface::V3);
-        assert_eq!(guard(component, RESET, |_, _| Ok(Status::Ok)), Status::Error);
+        assert_eq!(guard(component, RESET, &mut |_, _| Ok(Status::Ok)), Status::Error);
         free(component);
     }
 }

@@ -115,11 +115,7 @@ impl LoadedElements {
     }
 
     /// Tractions of all elements for the slip and the friction of `loaded`.
-    pub fn tractions(
-        &self,
-        loaded: &LoadedZone<'_, impl RigidSlip>,
-        rolling: Rolling,
-    ) -> Tractions {
+    pub fn tractions(&self, loaded: &LoadedZone<'_>, rolling: Rolling) -> Tractions {
         let &LoadedZone { strips, material, slip, .. } = loaded;
         let grid = &self.grid;
         let mut bound = vec![0.0; grid.len()];
@@ -158,7 +154,7 @@ impl LoadedElements {
         zone: &Zone,
         strips: &Strips,
         tractions: &Tractions,
-        mut each: impl FnMut(usize, StripForce),
+        each: &mut dyn FnMut(usize, StripForce),
     ) {
         let grid = &self.grid;
         let area = grid.element_area();
@@ -219,7 +215,7 @@ impl Row {
         (1.0 - self.share) * of(self.strips[0]) + self.share * of(self.strips[1])
     }
 
-    fn creepage(&self, slip: &impl RigidSlip) -> Creepage {
+    fn creepage(&self, slip: &RigidSlip<'_>) -> Creepage {
         let [a, b] = self.strips.map(|j| slip.creepage(j));
         let mix = |a: f64, b: f64| (1.0 - self.share) * a + self.share * b;
         Creepage {

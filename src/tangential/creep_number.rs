@@ -4,7 +4,6 @@ use super::boundary_element::LoadedElements;
 use super::coupled_marches::MarchNumber;
 use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
-use super::rigid_slip::RigidSlip;
 use super::rolling::Rolling;
 use crate::math::dual::Dual;
 use crate::math::tape::Taped;
@@ -22,9 +21,9 @@ pub trait CreepNumber: MarchNumber {
     /// was found.
     fn on_elements(
         _: &LoadedElements,
-        _: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        _: &LoadedZone<'_, Self>,
         _: Rolling,
-        _: impl FnMut(usize, StripForce<Self>),
+        _: &mut dyn FnMut(usize, StripForce<Self>),
     ) -> bool {
         false
     }
@@ -41,9 +40,9 @@ impl CreepNumber for f64 {
 
     fn on_elements(
         elements: &LoadedElements,
-        loaded: &LoadedZone<'_, impl RigidSlip>,
+        loaded: &LoadedZone<'_>,
         rolling: Rolling,
-        each: impl FnMut(usize, StripForce),
+        each: &mut dyn FnMut(usize, StripForce),
     ) -> bool {
         let tractions = elements.tractions(loaded, rolling);
         if tractions.converged {

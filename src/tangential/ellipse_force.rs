@@ -6,8 +6,7 @@ use super::equivalent_ellipse::{LoadedPart, RollingEllipse};
 use super::fastsim::Fastsim;
 use super::fastsim_correction::EllipseStrips;
 use super::march::March;
-use super::neck::{Lobes, Side};
-use super::rigid_slip::RigidSlip;
+use super::neck::{Extent, Lobes, Side};
 use super::tables::CreepForceTable;
 use super::zone_model::{RollingZone, ZoneModel};
 use super::{CreepForce, CreepNumber, LoadedZone, StripForce};
@@ -36,7 +35,7 @@ pub struct Corrected {
 impl<T: CreepNumber> ZoneModel<T> for Tabulated {
     fn strip_forces(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         each: &mut dyn FnMut(usize, StripForce<T>),
     ) -> Convergence {
         let lobes = Lobes::of(&zone.loaded);
@@ -53,7 +52,7 @@ impl<T: CreepNumber> ZoneModel<T> for Tabulated {
 impl<T: CreepNumber> ZoneModel<T> for Corrected {
     fn strip_forces(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         each: &mut dyn FnMut(usize, StripForce<T>),
     ) -> Convergence {
         let &LoadedZone { zone: whole, strips, .. } = &zone.loaded;
@@ -85,7 +84,7 @@ impl<T: CreepNumber> ZoneModel<T> for Corrected {
 /// has a neck, to `each`, strip by strip in proportion to the load. `force` tells that of a part
 /// from its number (the whole, the left, the right), the part and its weight.
 pub(super) fn spread_parts<T: CreepNumber>(
-    zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+    zone: &RollingZone<'_, T>,
     lobes: Option<&Lobes<T>>,
     force: impl Fn(usize, &LoadedPart<T>, T) -> CreepForce<T>,
     each: &mut dyn FnMut(usize, StripForce<T>),
@@ -95,13 +94,13 @@ pub(super) fn spread_parts<T: CreepNumber>(
     if share < 1.0 {
         let part = LoadedPart::whole(whole, strips, zone.state.creepage);
         let force = force(0, &part, -share + 1.0);
-        force.spread_by_load(whole, strips, |_| T::from(1.0), &mut *each);
+        force.spread_by_load(whole, strips, &Extent::Whole, each);
     }
     let Some(Lobes { neck, parts }) = lobes else { return };
     for (n, (part, side)) in parts.iter().zip([Side::Left, Side::Right]).enumerate() {
         if let Some(part) = part {
             let force = force(1 + n, part, share);
-            force.spread_by_load(whole, strips, |y| neck.member(side, y), &mut *each);
+            force.spread_by_load(whole, strips, &Extent::Lobe(*neck, side), each);
         }
     }
 }
@@ -109,7 +108,7 @@ pub(super) fn spread_parts<T: CreepNumber>(
 /// `weight` times the force of one part, about its centroid, of both directions in which `zone`
 /// rolls; `of_ellipse` tells that of the ellipse of the part, whose zone has the given area [m²].
 pub(super) fn part_force<T: CreepNumber>(
-    zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+    zone: &RollingZone<'_, T>,
     part: &LoadedPart<T>,
     weight: T,
     of_ellipse: impl Fn(&RollingEllipse<'_, T>, T) -> CreepForce<T>,

@@ -9,8 +9,8 @@
 //! cross each of them alone. Moments of the load give the least error for the table,
 //! moments of the outline for the flexibilities (docs/validation.md).
 
+use super::neck::Extent;
 pub use super::outline::EquivalentEllipse;
-use super::rigid_slip::RigidSlip;
 use super::tables::EllipseForce;
 use super::tables::tabulated::{ForceTable, tabulated};
 use super::{Convergence, CreepForce, Creepage, LoadedZone, Rolling};
@@ -49,12 +49,8 @@ impl<T: Real> LoadedPart<T> {
         Self { share: one, ellipse, creepage, friction: one }
     }
 
-    /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no
-    /// load.
-    pub fn of(
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
-        member: impl Fn(T) -> T,
-    ) -> Option<Self> {
+    /// The part that belongs to `extent`; nothing where it carries no load.
+    pub fn of(loaded: &LoadedZone<'_, T>, extent: &Extent<T>) -> Option<Self> {
         let &LoadedZone { zone, strips, slip, friction, own_friction, .. } = loaded;
         let [mut total, mut load, mut along, mut within, mut y] = [T::from(0.0); 5];
         let mut excess = T::from(0.0);
@@ -62,7 +58,7 @@ impl<T: Real> LoadedPart<T> {
         let range = zone.range();
         for j in range.clone() {
             let whole = strips.weight(j);
-            let weight = whole * member(strips.y[j]);
+            let weight = whole * extent.member(strips.y[j]);
             total += whole;
             load += weight;
             along += weight * strips.half_length[j] * strips.half_length[j];
@@ -80,8 +76,9 @@ impl<T: Real> LoadedPart<T> {
             return None;
         }
         let y = y / load;
-        let across: T =
-            range.map(|j| strips.weight(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
+        let across: T = range
+            .map(|j| strips.weight(j) * extent.member(strips.y[j]) * (strips.y[j] - y).powi(2))
+            .sum();
         Some(Self {
             share: load / total,
             ellipse: EquivalentEllipse::of_load(along / load, across / load, within / load),

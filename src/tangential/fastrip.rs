@@ -31,7 +31,7 @@
 use std::f64::consts::PI;
 
 use super::flexibility::ZoneFlexibility;
-use super::rigid_slip::{Growth, RigidSlip};
+use super::rigid_slip::Growth;
 use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::real::Real;
@@ -95,7 +95,7 @@ impl<T: Real> Rule<T> for Fastrip {
     /// friction of `loaded` is above 0.
     fn strip_forces(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        loaded: &LoadedZone<'_, T>,
         rolling: Rolling,
         three: &ZoneFlexibility<T>,
         blended: &ZoneFlexibility<T>,

@@ -28,11 +28,10 @@ mod lanes;
 
 use self::lanes::{Elements, LANES, LaneInput};
 use super::flexibility::ZoneFlexibility;
-use super::rigid_slip::RigidSlip;
+use super::rigid_slip::Growth;
 use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::real::Real;
-use crate::normal::{Strips, Zone};
 
 /// Shape of the traction bound along and across a zone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,90 +81,132 @@ impl Fastsim {
         Elements { profile: &self.profile, abscissae: &self.abscissae }
     }
 
-    /// Hands the force of each strip of `loaded` on the wheel to `each`.
-    pub fn strip_forces<T: Real>(
+    /// Marches through the `strips` of a zone and hands the force on the wheel of each to `each`.
+    pub fn march<T: Real>(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T, impl Marched<T>>,
+        strips: std::ops::Range<usize>,
         rolling: Rolling,
-        flexibility: &ZoneFlexibility<T>,
+        strip: impl Fn(usize) -> Marched<T>,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
-        let &LoadedZone { zone, strips, slip, .. } = loaded;
-        let range = zone.range();
         let n = self.profile.len() as f64;
-        let parabola = match self.bound {
-            TractionBound::Elliptic => T::from(0.0),
-            TractionBound::Parabolic => {
-                let moment: T =
-                    range.clone().map(|j| strips.width(j) * strips.half_length(j).powi(3)).sum();
-                if moment > 0.0 { zone.load * 0.75 / moment } else { T::from(0.0) }
-            }
-        };
         let direction = rolling.direction();
-        for start in range.clone().step_by(LANES) {
+        for start in strips.clone().step_by(LANES) {
             let mut input = LaneInput::<T>::default();
-            let lanes = (range.end - start).min(LANES);
-            let mut areas = [T::from(0.0); LANES];
-            for (lane, area) in areas.iter_mut().enumerate().take(lanes) {
-                let j = start + lane;
-                let a = strips.half_length(j);
+            let lanes = (strips.end - start).min(LANES);
+            let [mut areas, mut arms] = [[T::from(0.0); LANES]; 2];
+            for lane in 0..lanes {
+                let Marched { half_length: a, width, growth, bound } = strip(start + lane);
                 let step = a * 2.0 / n;
-                let growth = slip.growth(j, flexibility);
                 input.step_x[lane] = -step * growth.longitudinal;
                 input.step_y[lane] = -step * growth.lateral;
                 input.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
-                input.bound[lane] = loaded.friction_coefficient(j)
-                    * match self.bound {
-                        TractionBound::Elliptic => strips.pressure(j),
-                        TractionBound::Parabolic => parabola * a * a,
-                    };
-                *area = strips.width(j) * step;
+                input.bound[lane] = bound;
+                areas[lane] = width * step;
+                arms[lane] = a * direction;
             }
             let sums = input.march(lanes, self.elements());
-            for (lane, area) in areas.into_iter().enumerate().take(lanes) {
-                let j = start + lane;
-                let arm = strips.half_length(j) * direction;
+            for lane in 0..lanes {
+                let area = areas[lane];
                 each(
-                    j,
+                    start + lane,
                     StripForce {
                         longitudinal: area * sums.x[lane],
                         lateral: area * sums.y[lane],
-                        moment: area * arm * sums.y_abscissa[lane],
+                        moment: area * arms[lane] * sums.y_abscissa[lane],
                         slip_area: area * sums.slipping[lane],
                     },
                 );
             }
         }
     }
+
+    /// C of a parabolic bound for strips of a zone that carry `load`, each given by its half length
+    /// and its width; 0 where the bound is another.
+    pub fn parabola<T: Real>(&self, load: T, strips: impl Iterator<Item = [T; 2]>) -> T {
+        if self.bound == TractionBound::Elliptic {
+            return T::from(0.0);
+        }
+        let moment: T = strips.map(|[half_length, width]| width * half_length.powi(3)).sum();
+        if moment > 0.0 { load * 0.75 / moment } else { T::from(0.0) }
+    }
+
+    /// What bounds the traction at the centre of a strip with this `pressure` [Pa] there, over the
+    /// coefficient of friction.
+    #[inline]
+    pub fn bounding_pressure<T: Real>(&self, parabola: T, half_length: T, pressure: T) -> T {
+        match self.bound {
+            TractionBound::Elliptic => pressure,
+            TractionBound::Parabolic => parabola * half_length * half_length,
+        }
+    }
+
+    fn parabola_of<T: Real>(&self, loaded: &LoadedZone<'_, T>) -> T {
+        let (zone, strips) = (loaded.zone, loaded.strips);
+        let own = zone.range();
+        self.parabola(zone.load, own.map(|j| [strips.half_length[j], strips.width[j]]))
+    }
+
+    #[inline(always)]
+    fn strip<T: Real>(
+        &self,
+        loaded: &LoadedZone<'_, T>,
+        flexibility: &ZoneFlexibility<T>,
+        parabola: T,
+        j: usize,
+    ) -> Marched<T> {
+        let strips = loaded.strips;
+        let half_length = strips.half_length[j];
+        let pressure = self.bounding_pressure(parabola, half_length, strips.pressure[j]);
+        Marched {
+            half_length,
+            width: strips.width[j],
+            growth: loaded.slip.growth(j, flexibility),
+            bound: loaded.friction_coefficient(j) * pressure,
+        }
+    }
+}
+
+/// A strip that is marched through.
+#[derive(Clone, Copy, Debug)]
+pub struct Marched<T> {
+    /// Half length [m].
+    pub half_length: T,
+    /// Width [m].
+    pub width: T,
+    /// How traction grows where it adheres.
+    pub growth: Growth<T>,
+    /// What bounds the traction at the centre [Pa].
+    pub bound: T,
 }
 
 impl<T: Real> Rule<T> for Fastsim {
     fn strip_forces(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        loaded: &LoadedZone<'_, T>,
         rolling: Rolling,
         _: &ZoneFlexibility<T>,
         blended: &ZoneFlexibility<T>,
         each: impl FnMut(usize, StripForce<T>),
     ) {
-        self.strip_forces(loaded, rolling, blended, each);
+        let parabola = self.parabola_of(loaded);
+        let strip = |j: usize| self.strip(loaded, blended, parabola, j);
+        self.march(loaded.zone.range(), rolling, strip, each);
     }
 }
 
 impl Fastsim {
     /// Traction on the wheel of each element of strip `j` of a zone that rolls forward, leading
-    /// edge first, and whether it slips; as in [`strip_forces`](Self::strip_forces).
+    /// edge first, and whether it slips.
     pub fn tractions(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip>,
+        loaded: &LoadedZone<'_>,
         j: usize,
         flexibility: &ZoneFlexibility,
     ) -> Vec<([f64; 2], bool)> {
-        let &LoadedZone { zone, strips, slip, .. } = loaded;
-        let a = strips.half_length[j];
+        let Marched { half_length: a, growth, bound, .. } =
+            self.strip(loaded, flexibility, self.parabola_of(loaded), j);
         let step = 2.0 * a / self.profile.len() as f64;
-        let growth = slip.growth(j, flexibility);
-        let bound = loaded.friction_coefficient(j) * self.bounding_pressure(zone, strips, j);
         let input = LaneInput {
             step_x: [-step * growth.longitudinal; LANES],
             step_y: [-step * growth.lateral; LANES],
@@ -177,49 +218,5 @@ impl Fastsim {
             found.push(([*x, *y], *slips));
         });
         found
-    }
-
-    /// The pressure p_n that bounds the traction at the centre of strip `j` [Pa].
-    fn bounding_pressure(&self, zone: &Zone, strips: &Strips, j: usize) -> f64 {
-        match self.bound {
-            TractionBound::Elliptic => strips.pressure[j],
-            TractionBound::Parabolic => {
-                let range = zone.range();
-                let moment: f64 =
-                    range.map(|j| strips.width[j] * strips.half_length[j].powi(3)).sum();
-                let square = strips.half_length[j].powi(2);
-                if moment > 0.0 { 0.75 * zone.load * square / moment } else { 0.0 }
-            }
-        }
-    }
-}
-
-/// Strips that can be marched through.
-pub trait Marched<T> {
-    /// Half length of strip `j` [m].
-    fn half_length(&self, j: usize) -> T;
-
-    /// Its width [m].
-    fn width(&self, j: usize) -> T;
-
-    /// Pressure at its centre [Pa].
-    fn pressure(&self, j: usize) -> T;
-}
-
-/// Plain strips can be marched through with dual numbers for the creepage.
-impl<S: Real + Into<T>, T: Real> Marched<T> for Strips<S> {
-    #[inline]
-    fn half_length(&self, j: usize) -> T {
-        self.half_length[j].into()
-    }
-
-    #[inline]
-    fn width(&self, j: usize) -> T {
-        self.width[j].into()
-    }
-
-    #[inline]
-    fn pressure(&self, j: usize) -> T {
-        self.pressure[j].into()
     }
 }

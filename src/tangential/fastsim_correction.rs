@@ -6,14 +6,12 @@
 //! one circle, stretched.
 
 use super::equivalent_ellipse::{EquivalentEllipse, RollingEllipse};
-use super::fastsim::Fastsim;
+use super::fastsim::{Fastsim, Marched};
 use super::flexibility::ZoneFlexibility;
-use super::own_friction::OwnFriction;
-use super::rigid_slip::{Growth, RigidSlip};
-use super::{CreepForce, Creepage, Flexibilities, LoadedZone};
+use super::rigid_slip::Growth;
+use super::{CreepForce, Creepage, Flexibilities};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::normal::{LoadedStrip, Strips, Zone};
 
 /// Strips of the ellipse: as many as are marched at once.
 const STRIPS: usize = 32;
@@ -21,52 +19,30 @@ const STRIPS: usize = 32;
 /// The strips of a circle of radius 1 with Hertzian pressure of amplitude 1.
 #[derive(Clone, Debug)]
 pub struct EllipseStrips {
-    strips: Strips,
-    zone: Zone,
+    strips: [CircleStrip; STRIPS],
+    load: f64,
+}
+
+/// Its place across, its width, and its half length, which is its pressure too.
+#[derive(Clone, Copy, Debug)]
+struct CircleStrip {
+    y: f64,
+    width: f64,
+    half_length: f64,
 }
 
 impl Default for EllipseStrips {
     fn default() -> Self {
-        let mut strips = Strips::with_capacity(1, STRIPS);
         let rule = GaussLegendre::new(STRIPS);
-        let mut load = 0.0;
-        for (y, width) in rule.nodes.iter().zip(&rule.weights) {
-            let half_length = (1.0 - y * y).sqrt();
-            let (y, width, pressure) = (*y, *width, half_length);
-            strips.push(LoadedStrip { y, width, x: 0.0, half_length, pressure, u: y });
-            load += std::f64::consts::FRAC_PI_2 * width * half_length * half_length;
-        }
-        Self { strips, zone: Zone { count: STRIPS, load, ..Zone::default() } }
-    }
-}
-
-/// Rigid slip of an ellipse seen on the circle: lengths along in units of a, across in units of b.
-#[derive(Clone, Copy, Debug)]
-struct StretchedSlip<'a, T> {
-    circle: &'a Strips,
-    ellipse: EquivalentEllipse<T>,
-    creepage: Creepage<T>,
-}
-
-impl<T: Real> RigidSlip<T> for StretchedSlip<'_, T> {
-    fn mean(&self) -> Creepage<T> {
-        self.creepage
-    }
-
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
-        let EquivalentEllipse { along, across } = self.ellipse;
-        let Creepage { longitudinal, lateral, spin } = self.creepage;
-        let y = across * self.circle.y[j];
-        Growth {
-            longitudinal: along
-                * (longitudinal / flexibility.longitudinal - spin * y / flexibility.spin),
-            lateral: along * lateral / flexibility.lateral,
-            twist: along * along * spin / flexibility.spin,
-        }
-    }
-
-    fn creepage(&self, _: usize) -> Creepage<T> {
-        self.creepage
+        let strips = std::array::from_fn(|j| {
+            let (y, width) = (rule.nodes[j], rule.weights[j]);
+            CircleStrip { y, width, half_length: (1.0 - y * y).sqrt() }
+        });
+        let load = |CircleStrip { width, half_length, .. }: &CircleStrip| {
+            std::f64::consts::FRAC_PI_2 * width * half_length * half_length
+        };
+        let load = strips.iter().map(load).sum();
+        Self { strips, load }
     }
 }
 
@@ -84,23 +60,37 @@ impl EllipseStrips {
             flexibility = flexibility.blended(&creepage, limit);
         }
         let circle = &self.strips;
-        let area = ellipse.along * ellipse.across;
-        let loaded = LoadedZone {
-            zone: &Zone { count: STRIPS, load: self.zone.load.into(), ..Zone::default() },
-            strips: circle,
-            material,
-            slip: StretchedSlip { circle, ellipse, creepage },
-            // Times the amplitude of the pressure, which the circle has as 1.
-            friction: limit / (area * self.zone.load),
-            own_friction: OwnFriction::none(),
-            load_factor: T::from(1.0),
+        let EquivalentEllipse { along, across } = ellipse;
+        let area = along * across;
+        // Times the amplitude of the pressure, which the circle has as 1.
+        let friction = limit / (area * self.load);
+        let parabola = fastsim
+            .parabola(self.load, circle.iter().map(|strip| [strip.half_length, strip.width]));
+        // Lengths along in units of a, across in units of b.
+        let strip = |j: usize| {
+            let CircleStrip { y, width, half_length } = circle[j];
+            let Creepage { longitudinal, lateral, spin } = creepage;
+            let growth = Growth {
+                longitudinal: along
+                    * (longitudinal / flexibility.longitudinal
+                        - spin * (across * y) / flexibility.spin),
+                lateral: along * lateral / flexibility.lateral,
+                twist: along * along * spin / flexibility.spin,
+            };
+            // Pressure of amplitude 1.
+            let bound = fastsim.bounding_pressure(parabola, half_length, half_length);
+            Marched {
+                half_length: half_length.into(),
+                width: width.into(),
+                growth,
+                bound: friction * bound,
+            }
         };
         let mut total = CreepForce::<T>::default();
-        fastsim.strip_forces(&loaded, rolling, &flexibility, |j, f| {
+        fastsim.march(0..STRIPS, rolling, strip, |j, f| {
             total.longitudinal += area * f.longitudinal;
             total.lateral += area * f.lateral;
-            total.spin_moment +=
-                area * (ellipse.along * f.moment - ellipse.across * circle.y[j] * f.longitudinal);
+            total.spin_moment += area * (along * f.moment - across * circle[j].y * f.longitudinal);
             total.slip_area += area * f.slip_area;
         });
         total

@@ -17,6 +17,7 @@ use std::f64::consts::PI;
 
 use super::Creepage;
 use super::kalker_coefficients::kalker_coefficients;
+use super::neck::Extent;
 use super::outline::Outline;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
@@ -38,15 +39,15 @@ pub struct ZoneFlexibility<T = f64> {
 }
 
 impl<T: Real> ZoneFlexibility<T> {
-    /// The three flexibilities of `zone`, each strip of which counts as far as `member(y)`, 0 to 1;
+    /// The three flexibilities of `zone`, whose strips count as far as they belong to `extent`;
     /// nothing where that has no area.
     pub fn new(
         zone: &Zone<T>,
         strips: &Strips<T>,
         material: &MaterialPair<T>,
-        member: impl Fn(T) -> T,
+        extent: &Extent<T>,
     ) -> Option<Self> {
-        let Outline { ellipse, squares, cubes } = Outline::of(zone, strips, member)?;
+        let Outline { ellipse, squares, cubes } = Outline::of(zone, strips, extent)?;
         let c = kalker_coefficients(ellipse.along / ellipse.across, material.poisson_ratio);
         let c_squared = ellipse.along * ellipse.across;
         let scale = material.shear_modulus * c_squared;

@@ -1,6 +1,7 @@
 //! Forces of the tractions: of a strip, and of a zone.
 
 use super::convergence::Convergence;
+use super::neck::Extent;
 use crate::kinematics::creepage::Creepage;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -84,17 +85,17 @@ impl<T: Real> CreepForce<T> {
         }
     }
 
-    /// Hands this force, of the part of a zone to which strips at y belong by `member(y)`, 0 to 1,
-    /// to `each` in parts that go with the load of the strips.
+    /// Hands this force, of the part of a zone that belongs to `extent`, to `each` in parts that go
+    /// with the load of the strips.
     pub(super) fn spread_by_load(
         &self,
         zone: &Zone<T>,
         strips: &Strips<T>,
-        member: impl Fn(T) -> T,
-        mut each: impl FnMut(usize, StripForce<T>),
+        extent: &Extent<T>,
+        each: &mut dyn FnMut(usize, StripForce<T>),
     ) {
         let range = zone.range();
-        let load = |j: usize| strips.weight(j) * member(strips.y[j]);
+        let load = |j: usize| strips.weight(j) * extent.member(strips.y[j]);
         let total: T = range.clone().map(load).sum();
         let whole = StripForce {
             longitudinal: self.longitudinal,

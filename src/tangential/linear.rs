@@ -14,7 +14,6 @@
 //! ```
 
 use super::flexibility::ZoneFlexibility;
-use super::rigid_slip::RigidSlip;
 use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::real::Real;
@@ -28,7 +27,7 @@ impl<T: Real> Rule<T> for Linear {
 
     fn strip_forces(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        loaded: &LoadedZone<'_, T>,
         rolling: Rolling,
         three: &ZoneFlexibility<T>,
         _: &ZoneFlexibility<T>,

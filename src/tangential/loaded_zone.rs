@@ -8,16 +8,16 @@ use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// What is marched through, from either end: a zone, its strips and how its surfaces slip.
-#[derive(Debug)]
-pub struct LoadedZone<'a, S, T = f64, L = Strips<T>> {
+#[derive(Clone, Copy, Debug)]
+pub struct LoadedZone<'a, T = f64> {
     /// The zone.
     pub zone: &'a Zone<T>,
     /// Its strips, and maybe others.
-    pub strips: &'a L,
+    pub strips: &'a Strips<T>,
     /// Elastic constants of both bodies.
     pub material: &'a MaterialPair<T>,
     /// Rigid slip of the strips.
-    pub slip: S,
+    pub slip: RigidSlip<'a, T>,
     /// Coefficient of friction of the zone, ≥ 0 [-].
     pub friction: T,
     /// Of strips that have their own.
@@ -26,24 +26,14 @@ pub struct LoadedZone<'a, S, T = f64, L = Strips<T>> {
     pub load_factor: T,
 }
 
-impl<S: Copy, T: Copy, L> Copy for LoadedZone<'_, S, T, L> {}
-
-impl<S: Clone, T: Clone, L> Clone for LoadedZone<'_, S, T, L> {
-    fn clone(&self) -> Self {
-        let Self { slip, friction, own_friction, load_factor, .. } = self;
-        Self {
-            slip: slip.clone(),
-            friction: friction.clone(),
-            own_friction: own_friction.clone(),
-            load_factor: load_factor.clone(),
-            ..*self
-        }
-    }
-}
-
-impl<'a, S: RigidSlip<T>, T: Real> LoadedZone<'a, S, T> {
+impl<'a, T: Real> LoadedZone<'a, T> {
     /// With the friction and the damping of `law`.
-    pub fn new(zone: &'a Zone<T>, strips: &'a Strips<T>, slip: S, law: &'a UnderLaw<T>) -> Self {
+    pub fn new(
+        zone: &'a Zone<T>,
+        strips: &'a Strips<T>,
+        slip: RigidSlip<'a, T>,
+        law: &'a UnderLaw<T>,
+    ) -> Self {
         Self {
             zone,
             strips,
@@ -53,14 +43,6 @@ impl<'a, S: RigidSlip<T>, T: Real> LoadedZone<'a, S, T> {
             own_friction: OwnFriction { strips: &strips.friction, factors: law.factors },
             load_factor: law.state.load_factor,
         }
-    }
-}
-
-impl<'a, S: RigidSlip<T>, T: Real, L> LoadedZone<'a, S, T, L> {
-    /// The same zone with another rigid slip.
-    pub fn with_slip<O: RigidSlip<T>>(&self, slip: O) -> LoadedZone<'a, O, T, L> {
-        let &Self { zone, strips, material, friction, own_friction, load_factor, .. } = self;
-        LoadedZone { zone, strips, material, slip, friction, own_friction, load_factor }
     }
 
     /// Coefficient of friction μ of strip `j`, ≥ 0 [-]: its own or that of the zone. It refers to

@@ -7,8 +7,7 @@ use super::equivalent_ellipse::LoadedPart;
 use super::fastsim::Fastsim;
 use super::field::ContactField;
 use super::flexibility::ZoneFlexibility;
-use super::neck::{LobeSlip, Lobes, Neck, Side};
-use super::rigid_slip::RigidSlip;
+use super::neck::{Extent, Lobes, Side};
 use super::rule::Rule;
 use super::zone_model::{RollingZone, ZoneModel};
 use super::{Creepage, Flexibilities, LoadedZone, Rolling, StripForce};
@@ -26,9 +25,9 @@ pub struct March<R> {
 /// What strips are marched with: the whole zone, or one of its lobes.
 #[derive(Clone, Copy, Debug)]
 struct Part<T> {
-    /// Share in the force, and of a lobe which one.
+    /// Share in the force.
     share: T,
-    lobe: Option<(Neck<T>, Side)>,
+    extent: Extent<T>,
     three: ZoneFlexibility<T>,
     /// The flexibilities that the march has.
     blended: ZoneFlexibility<T>,
@@ -40,7 +39,15 @@ impl<T: Real> Part<T> {
     /// Share of this march in the force of a strip at `y`.
     #[inline]
     fn weight(&self, y: T) -> T {
-        self.lobe.map_or(self.share, |(neck, side)| self.share * neck.member(side, y))
+        self.share * self.extent.member(y)
+    }
+
+    /// What of `loaded` slips as it does here.
+    fn of<'a>(&self, loaded: &LoadedZone<'a, T>) -> LoadedZone<'a, T> {
+        match self.extent {
+            Extent::Whole => *loaded,
+            Extent::Lobe(..) => LoadedZone { slip: loaded.slip.of_part(self.mean), ..*loaded },
+        }
     }
 }
 
@@ -49,7 +56,7 @@ impl<R> March<R> {
     /// and the force of each strip in it to `each`, which adds them up.
     pub(super) fn part_forces<T: CreepNumber>(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         lobes: Option<&Lobes<T>>,
         mut each: impl FnMut(usize, usize, StripForce<T>),
     ) where
@@ -65,7 +72,7 @@ impl<R> March<R> {
     /// `share` in the force: where another model has no solution.
     pub(super) fn in_direction<T: CreepNumber>(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         lobes: Option<&Lobes<T>>,
         (rolling, share): (Rolling, T),
         each: &mut dyn FnMut(usize, StripForce<T>),
@@ -80,19 +87,19 @@ impl<R> March<R> {
     /// lobes.
     fn parts<T: CreepNumber>(
         &self,
-        &RollingZone { ref loaded, limit, .. }: &RollingZone<'_, impl RigidSlip<T>, T>,
+        &RollingZone { ref loaded, limit, .. }: &RollingZone<'_, T>,
         lobes: Option<&Lobes<T>>,
     ) -> [Option<Part<T>>; 3] {
         let &LoadedZone { zone, strips, material, slip, .. } = loaded;
         let is_blended = self.flexibilities == Flexibilities::Blended;
-        let part = |share: T, lobe, three: ZoneFlexibility<T>, mean: Creepage<T>, of_limit: T| {
+        let part = |share: T, extent: Extent<T>, mean: Creepage<T>, of_limit: T| {
+            let three = ZoneFlexibility::new(zone, strips, material, &extent)?;
             let blended = if is_blended { three.blended(&mean, limit * of_limit) } else { three };
-            Part { share, lobe, three, blended, mean }
+            Some(Part { share, extent, three, blended, mean })
         };
         let share = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
         let whole = if share < 1.0 {
-            ZoneFlexibility::new(zone, strips, material, |_| T::from(1.0))
-                .map(|three| part(-share + 1.0, None, three, slip.mean(), T::from(1.0)))
+            part(-share + 1.0, Extent::Whole, slip.mean(), T::from(1.0))
         } else {
             None
         };
@@ -102,17 +109,15 @@ impl<R> March<R> {
         let lobe = |side, carried: Option<LoadedPart<T>>| {
             // What has no friction holds nothing.
             let carried = carried.filter(|carried| carried.friction > 0.0)?;
-            let member = |y| neck.member(side, y);
-            let three = ZoneFlexibility::new(zone, strips, material, member)?;
             let of_limit = carried.share * carried.friction;
-            Some(part(share, Some((neck, side)), three, carried.creepage, of_limit))
+            part(share, Extent::Lobe(neck, side), carried.creepage, of_limit)
         };
         [whole, lobe(Side::Left, left), lobe(Side::Right, right)]
     }
 
     fn march<T: CreepNumber>(
         &self,
-        RollingZone { loaded, state, .. }: &RollingZone<'_, impl RigidSlip<T>, T>,
+        RollingZone { loaded, state, .. }: &RollingZone<'_, T>,
         rolling: Rolling,
         share: T,
         parts: &[Option<Part<T>>; 3],
@@ -133,13 +138,7 @@ impl<R> March<R> {
                     each(n, j, force.times(weight).times(share));
                 }
             };
-            if part.lobe.is_none() {
-                self.rule.strip_forces(loaded, rolling, three, blended, add);
-            } else {
-                let slip = LobeSlip { zone: loaded.slip, mean: part.mean };
-                let loaded = loaded.with_slip(slip);
-                self.rule.strip_forces(&loaded, rolling, three, blended, add);
-            }
+            self.rule.strip_forces(&part.of(loaded), rolling, three, blended, add);
         }
     }
 }
@@ -147,7 +146,7 @@ impl<R> March<R> {
 impl<T: CreepNumber, R: Rule<T>> ZoneModel<T> for March<R> {
     fn strip_forces(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         each: &mut dyn FnMut(usize, StripForce<T>),
     ) -> Convergence {
         let lobes = Lobes::of(&zone.loaded);
@@ -161,20 +160,19 @@ impl March<Fastsim> {
     /// `elements`.
     pub(super) fn draw(
         &self,
-        rolling: &RollingZone<'_, impl RigidSlip>,
+        rolling: &RollingZone<'_>,
         elements: &LoadedElements,
         field: &mut ContactField,
     ) {
         let loaded = &rolling.loaded;
-        let &LoadedZone { strips, slip, .. } = loaded;
+        let strips = loaded.strips;
         let parts = self.parts(rolling, Lobes::of(loaded).as_ref());
         for (row, strip) in elements.rows_of(loaded.zone) {
             // Of a zone with a neck that description which has more weight in the force.
             let weight = |part: &&Part<f64>| part.weight(strips.y[strip]);
             let heavier = |a: &&Part<f64>, b: &&Part<f64>| weight(a).total_cmp(&weight(b));
             let Some(part) = parts.iter().flatten().max_by(heavier) else { continue };
-            let slip = LobeSlip { zone: slip, mean: part.mean };
-            let marched = self.rule.tractions(&loaded.with_slip(slip), strip, &part.blended);
+            let marched = self.rule.tractions(&part.of(loaded), strip, &part.blended);
             for i in 0..field.grid.along {
                 let t = (strips.x[strip] - field.grid.x(i)) / strips.half_length[strip];
                 let step = 0.5 * (1.0 + t) * marched.len() as f64;

@@ -15,10 +15,8 @@
 //!
 //! All of it is a continuous function of the strips.
 
+use super::LoadedZone;
 use super::equivalent_ellipse::LoadedPart;
-use super::flexibility::ZoneFlexibility;
-use super::rigid_slip::{Growth, RigidSlip};
-use super::{Creepage, LoadedZone};
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::normal::{Strips, Zone};
@@ -46,28 +44,23 @@ pub enum Side {
     Right,
 }
 
-/// The rigid slip of a zone, for one of its lobes: what acts through the flexibilities L1 and L2 is
-/// the mean of the lobe.
-#[derive(Clone, Copy, Debug)]
-pub struct LobeSlip<S, T = f64> {
-    /// Slip of the zone.
-    pub zone: S,
-    /// Mean creepage of the lobe.
-    pub mean: Creepage<T>,
+/// What of a zone is looked at: the whole, or a lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent<T = f64> {
+    /// The whole.
+    Whole,
+    /// What lies on one side of a neck.
+    Lobe(Neck<T>, Side),
 }
 
-impl<T: Real, S: RigidSlip<T>> RigidSlip<T> for LobeSlip<S, T> {
-    fn mean(&self) -> Creepage<T> {
-        self.mean
-    }
-
+impl<T: Real> Extent<T> {
+    /// Share of a strip at `y` [m] that belongs to it, 0 to 1.
     #[inline]
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
-        Growth::of_strip(&self.zone.creepage(j), &self.mean, flexibility)
-    }
-
-    fn creepage(&self, j: usize) -> Creepage<T> {
-        self.zone.creepage(j)
+    pub fn member(&self, y: T) -> T {
+        match self {
+            Self::Whole => T::from(1.0),
+            Self::Lobe(neck, side) => neck.member(*side, y),
+        }
     }
 }
 
@@ -82,10 +75,10 @@ pub struct Lobes<T = f64> {
 
 impl<T: Real> Lobes<T> {
     /// Those of a zone, if it has a neck.
-    pub fn of(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>) -> Option<Self> {
+    pub fn of(loaded: &LoadedZone<'_, T>) -> Option<Self> {
         let neck = Neck::of(loaded.zone, loaded.strips)?;
-        let parts =
-            [Side::Left, Side::Right].map(|side| LoadedPart::of(loaded, |y| neck.member(side, y)));
+        let part = |side| LoadedPart::of(loaded, &Extent::Lobe(neck, side));
+        let parts = [Side::Left, Side::Right].map(part);
         Some(Self { neck, parts })
     }
 }
@@ -96,6 +89,9 @@ impl<T: Real> Neck<T> {
         let range = zone.range();
         let [ys, lengths, pressures] =
             [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
+        if rises_and_falls(ys, lengths, pressures) {
+            return None;
+        }
         // Stretches of one strip, as uneven bodies have them, count together.
         let load = |j: usize| {
             let y = ys[j];
@@ -145,7 +141,7 @@ impl<T: Real> Neck<T> {
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.
-    pub fn member(&self, side: Side, y: T) -> T {
+    fn member(&self, side: Side, y: T) -> T {
         match side {
             Side::Left => self.left(y),
             Side::Right => -self.left(y) + 1.0,
@@ -162,6 +158,20 @@ impl<T: Real> Neck<T> {
         let x = ((self.y - y) / self.blend + 0.5).within(0.0, 1.0);
         smooth_step(x)
     }
+}
+
+/// Whether the load of strips of these half lengths and pressures, each at a y of its own, rises to
+/// one peak and falls from there, as that of most zones.
+fn rises_and_falls<T: Real>(ys: &[T], lengths: &[T], pressures: &[T]) -> bool {
+    let mut last = (T::from(f64::NEG_INFINITY), T::from(0.0));
+    let mut falls = false;
+    ys.iter().zip(lengths).zip(pressures).all(|((&y, &length), &pressure)| {
+        let load = length * pressure;
+        let goes_on = y != last.0 && !(falls && load > last.1);
+        falls |= load < last.1;
+        last = (y, load);
+        goes_on
+    })
 }
 
 /// Hands to `each` those of `count` strips that carry less than some on either side, with their

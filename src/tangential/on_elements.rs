@@ -8,7 +8,6 @@ use super::fastsim::Fastsim;
 use super::field::ContactField;
 use super::march::March;
 use super::neck::Lobes;
-use super::rigid_slip::RigidSlip;
 use super::rolling::Rolling;
 use super::zone_model::{RollingZone, ZoneModel};
 
@@ -24,7 +23,7 @@ pub struct OnElements {
 impl<T: CreepNumber> ZoneModel<T> for OnElements {
     fn strip_forces(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         each: &mut dyn FnMut(usize, StripForce<T>),
     ) -> Convergence {
         let loaded = &zone.loaded;
@@ -32,8 +31,8 @@ impl<T: CreepNumber> ZoneModel<T> for OnElements {
         let mut convergence = Convergence::default();
         for (rolling, share) in zone.directions() {
             if let Some(elements) = &elements {
-                let add = |j, force: StripForce<T>| each(j, force.times(share));
-                if T::on_elements(elements, loaded, rolling, add) {
+                let mut add = |j, force: StripForce<T>| each(j, force.times(share));
+                if T::on_elements(elements, loaded, rolling, &mut add) {
                     continue;
                 }
                 convergence = convergence.and(Convergence::failed());
@@ -49,7 +48,7 @@ impl OnElements {
     /// Enters the tractions of a zone that rolls forward into `field`, whose grid is that of
     /// `elements`.
     pub(super) fn draw(
-        RollingZone { loaded, .. }: &RollingZone<'_, impl RigidSlip>,
+        RollingZone { loaded, .. }: &RollingZone<'_>,
         elements: &LoadedElements,
         field: &mut ContactField,
     ) {

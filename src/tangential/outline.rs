@@ -6,6 +6,7 @@
 //! [`equivalent_ellipse`](super::equivalent_ellipse) sums, together with the creepage and the
 //! friction of that ellipse.
 
+use super::neck::Extent;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
@@ -60,14 +61,14 @@ pub struct Outline<T = f64> {
 }
 
 impl<T: Real> Outline<T> {
-    /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no
+    /// That of the strips of `zone` as far as they belong to `extent`; nothing where that has no
     /// area.
-    pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
+    pub fn of(zone: &Zone<T>, strips: &Strips<T>, extent: &Extent<T>) -> Option<Self> {
         let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];
         let [mut first, mut across, mut within] = [T::from(0.0); 3];
         for j in zone.range() {
             let (half_length, width) = (strips.half_length[j], strips.width[j]);
-            let weight = half_length * width * member(strips.y[j]);
+            let weight = half_length * width * extent.member(strips.y[j]);
             let y = strips.y[j] - zone.y;
             area += weight;
             squares += weight * half_length;

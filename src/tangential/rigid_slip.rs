@@ -25,11 +25,7 @@ impl<T: Real> Growth<T> {
     /// Of a strip with the creepage `own` at its centre in a zone with the mean creepage `mean`:
     /// what it deviates by acts through L3, as spin does.
     #[inline]
-    pub fn of_strip(
-        own: &Creepage<T>,
-        mean: &Creepage<T>,
-        flexibility: &ZoneFlexibility<T>,
-    ) -> Self {
+    fn of_strip(own: &Creepage<T>, mean: &Creepage<T>, flexibility: &ZoneFlexibility<T>) -> Self {
         Self {
             longitudinal: mean.longitudinal / flexibility.longitudinal
                 + (own.longitudinal - mean.longitudinal) / flexibility.spin,
@@ -41,74 +37,83 @@ impl<T: Real> Growth<T> {
 }
 
 /// Rigid slip over the reference speed on all strips of a zone.
-pub trait RigidSlip<T = f64>: Copy {
-    /// The creepage of the zone as a whole: its longitudinal and lateral part act through the
-    /// flexibilities L1 and L2, what the strips deviate from it and spin through L3.
-    fn mean(&self) -> Creepage<T>;
+#[derive(Clone, Copy, Debug)]
+pub struct RigidSlip<'a, T = f64> {
+    of: Creepages<'a, T>,
+    /// Mean creepage of the part of the zone that is marched through by itself.
+    part: Option<Creepage<T>>,
+}
+
+/// Creepages of the strips of a zone.
+#[derive(Clone, Copy, Debug)]
+enum Creepages<'a, T> {
+    /// One at the centroid of the load.
+    Flat { zone: &'a Zone<T>, strips: &'a Strips<T>, creepage: Creepage<T> },
+    /// One of each strip, and their mean.
+    Own(&'a [Creepage<T>], Creepage<T>),
+}
+
+impl<'a, T: Real> RigidSlip<'a, T> {
+    /// With one `creepage` at the centroid of the load of `zone`: w_x = ξ - φ y, w_y = η + φ x.
+    pub fn flat(zone: &'a Zone<T>, strips: &'a Strips<T>, creepage: Creepage<T>) -> Self {
+        Self { of: Creepages::Flat { zone, strips, creepage }, part: None }
+    }
+
+    /// With a creepage of its own for each strip, at its centre and in its own tangent plane; `mean`
+    /// is that of the zone, weighted by load.
+    pub fn of_strips(creepages: &'a [Creepage<T>], mean: Creepage<T>) -> Self {
+        Self { of: Creepages::Own(creepages, mean), part: None }
+    }
+
+    /// The same for a part of the zone, whose mean creepage acts through the flexibilities L1 and
+    /// L2.
+    #[must_use]
+    pub fn of_part(self, mean: Creepage<T>) -> Self {
+        Self { part: Some(mean), ..self }
+    }
+
+    /// The creepage of the zone, or of the part, as a whole: its longitudinal and lateral part act
+    /// through the flexibilities L1 and L2, what the strips deviate from it and spin through L3.
+    pub fn mean(&self) -> Creepage<T> {
+        self.part.unwrap_or(match self.of {
+            Creepages::Flat { creepage, .. } => creepage,
+            Creepages::Own(_, mean) => mean,
+        })
+    }
 
     /// Growth of the traction on strip `j`.
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T>;
+    #[inline(always)]
+    pub fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
+        if let (None, Creepages::Flat { zone, strips, creepage }) = (self.part, &self.of) {
+            let &Creepage { longitudinal, lateral, spin } = creepage;
+            let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
+            return Growth {
+                longitudinal: longitudinal / flexibility.longitudinal - spin * y / flexibility.spin,
+                lateral: lateral / flexibility.lateral + spin * x / flexibility.spin,
+                twist: spin / flexibility.spin,
+            };
+        }
+        Growth::of_strip(&self.creepage(j), &self.mean(), flexibility)
+    }
 
     /// Creepage at the centre of strip `j`; a flat one is carried on where the strip belongs to
     /// another zone.
-    fn creepage(&self, j: usize) -> Creepage<T>;
-}
-
-/// One triple of creepages at the centroid of the load for the whole zone: w_x = ξ - φ y, w_y = η +
-/// φ x.
-#[derive(Clone, Copy, Debug)]
-pub struct FlatSlip<'a, T = f64> {
-    /// The zone.
-    pub zone: &'a Zone<T>,
-    /// Its strips, and maybe others.
-    pub strips: &'a Strips<T>,
-    /// Creepage at the centroid of the load.
-    pub creepage: Creepage<T>,
-}
-
-impl<T: Real> RigidSlip<T> for FlatSlip<'_, T> {
-    fn mean(&self) -> Creepage<T> {
-        self.creepage
-    }
-
     #[inline]
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
-        let Creepage { longitudinal, lateral, spin } = self.creepage;
-        let (x, y) = (self.strips.x[j] - self.zone.x, self.strips.y[j] - self.zone.y);
-        Growth {
-            longitudinal: longitudinal / flexibility.longitudinal - spin * y / flexibility.spin,
-            lateral: lateral / flexibility.lateral + spin * x / flexibility.spin,
-            twist: spin / flexibility.spin,
+    pub fn creepage(&self, j: usize) -> Creepage<T> {
+        match self.of {
+            Creepages::Flat {
+                zone,
+                strips,
+                creepage: Creepage { longitudinal, lateral, spin },
+            } => {
+                let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
+                Creepage {
+                    longitudinal: longitudinal - spin * y,
+                    lateral: lateral + spin * x,
+                    spin,
+                }
+            }
+            Creepages::Own(creepages, _) => creepages[j],
         }
-    }
-
-    fn creepage(&self, j: usize) -> Creepage<T> {
-        let Creepage { longitudinal, lateral, spin } = self.creepage;
-        let (x, y) = (self.strips.x[j] - self.zone.x, self.strips.y[j] - self.zone.y);
-        Creepage { longitudinal: longitudinal - spin * y, lateral: lateral + spin * x, spin }
-    }
-}
-
-/// A creepage of its own for each strip, at its centre and in its own tangent plane.
-#[derive(Clone, Copy, Debug)]
-pub struct StripSlip<'a, T = f64> {
-    /// Creepage of each strip.
-    pub creepages: &'a [Creepage<T>],
-    /// Mean of those of the zone, weighted by load.
-    pub mean: Creepage<T>,
-}
-
-impl<T: Real> RigidSlip<T> for StripSlip<'_, T> {
-    fn mean(&self) -> Creepage<T> {
-        self.mean
-    }
-
-    #[inline]
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
-        Growth::of_strip(&self.creepages[j], &self.mean, flexibility)
-    }
-
-    fn creepage(&self, j: usize) -> Creepage<T> {
-        self.creepages[j]
     }
 }

@@ -3,7 +3,6 @@
 use super::flexibility::ZoneFlexibility;
 use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
-use super::rigid_slip::RigidSlip;
 use super::rolling::Rolling;
 
 /// How tractions grow along a strip.
@@ -15,7 +14,7 @@ pub trait Rule<T> {
     /// flexibilities of the zone, one for each creepage, `blended` those that the march has.
     fn strip_forces(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        loaded: &LoadedZone<'_, T>,
         rolling: Rolling,
         three: &ZoneFlexibility<T>,
         blended: &ZoneFlexibility<T>,

@@ -15,7 +15,6 @@ use super::linear::Linear;
 use super::march::March;
 use super::model::{Flexibilities, TangentialModel};
 use super::on_elements::OnElements;
-use super::rigid_slip::RigidSlip;
 use super::rolling::RollingState;
 use super::tables::CreepForceTable;
 use super::under_law::UnderLaw;
@@ -50,9 +49,9 @@ enum Model {
 }
 
 /// Forces of `zones` that do not feel each other.
-fn one_by_one<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
+fn one_by_one<'a, T: CreepNumber>(
     model: &impl ZoneModel<T>,
-    zones: impl Iterator<Item = (usize, RollingZone<'a, S, T>)>,
+    zones: impl Iterator<Item = (usize, RollingZone<'a, T>)>,
     mut each: impl FnMut(usize, usize, StripForce<T>),
 ) -> Convergence {
     zones.fold(Convergence::default(), |sum, (n, zone)| {
@@ -193,9 +192,9 @@ impl Tangential {
     /// the order of their places across, to `each`: with the number of the zone among them and that
     /// of the strip. It adds them up: a strip may come twice. Zones on which the model does not
     /// [act](Self::acts_on) have none.
-    pub fn roll<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
+    pub fn roll<'a, T: CreepNumber>(
         &mut self,
-        zones: impl Iterator<Item = RollingZone<'a, S, T>> + Clone,
+        zones: impl Iterator<Item = RollingZone<'a, T>> + Clone,
         each: impl FnMut(usize, usize, StripForce<T>),
     ) -> Convergence {
         let kind = self.model();

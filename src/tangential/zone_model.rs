@@ -3,7 +3,7 @@
 use super::convergence::Convergence;
 use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
-use super::rigid_slip::{FlatSlip, RigidSlip};
+use super::rigid_slip::RigidSlip;
 use super::rolling::{Rolling, RollingState};
 use super::under_law::UnderLaw;
 use crate::math::real::Real;
@@ -15,16 +15,16 @@ pub trait ZoneModel<T: Real> {
     /// may come twice. Allocates nothing but in the half-space solution on rectangles.
     fn strip_forces(
         &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        zone: &RollingZone<'_, T>,
         each: &mut dyn FnMut(usize, StripForce<T>),
     ) -> Convergence;
 }
 
 /// A loaded zone and how it rolls, under the laws of friction.
 #[derive(Clone, Copy, Debug)]
-pub struct RollingZone<'a, S, T = f64> {
+pub struct RollingZone<'a, T = f64> {
     /// The zone, its strips and how its surfaces slip.
-    pub loaded: LoadedZone<'a, S, T>,
+    pub loaded: LoadedZone<'a, T>,
     /// How it rolls; the creepage is the mean one.
     pub state: RollingState<T>,
     /// Its friction limit [N].
@@ -33,23 +33,24 @@ pub struct RollingZone<'a, S, T = f64> {
     pub origin: T,
 }
 
-impl<'a, S: RigidSlip<T>, T: Real> RollingZone<'a, S, T> {
+impl<'a, T: Real> RollingZone<'a, T> {
     /// A `zone` of `strips` with the rigid slip `slip` under `law`, which is that of the mean
     /// creepage of `slip`; its y counts from where others have theirs.
-    pub fn new(zone: &'a Zone<T>, strips: &'a Strips<T>, slip: S, law: &'a UnderLaw<T>) -> Self {
+    pub fn new(
+        zone: &'a Zone<T>,
+        strips: &'a Strips<T>,
+        slip: RigidSlip<'a, T>,
+        law: &'a UnderLaw<T>,
+    ) -> Self {
         let (loaded, state) = (LoadedZone::new(zone, strips, slip, law), law.state);
         Self { loaded, state, limit: state.friction_limit(zone), origin: T::from(0.0) }
     }
-}
 
-impl<'a, T: Real> RollingZone<'a, FlatSlip<'a, T>, T> {
     /// A `zone` of `strips` under `law` with one creepage, which is that of the law.
     pub fn flat(zone: &'a Zone<T>, strips: &'a Strips<T>, law: &'a UnderLaw<T>) -> Self {
-        Self::new(zone, strips, FlatSlip { zone, strips, creepage: law.state.creepage }, law)
+        Self::new(zone, strips, RigidSlip::flat(zone, strips, law.state.creepage), law)
     }
-}
 
-impl<S, T: Real> RollingZone<'_, S, T> {
     /// Share in the force of the direction `rolling`, 0 to 1.
     pub(super) fn share(&self, rolling: Rolling) -> T {
         match rolling {

@@ -22,7 +22,7 @@ use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 use crate::tangential::StripForce;
-use crate::tangential::rigid_slip::StripSlip;
+use crate::tangential::rigid_slip::RigidSlip;
 
 use super::tractions::Tractions;
 
@@ -99,8 +99,8 @@ impl<T: Real> CurvedStrips<T> {
     }
 
     /// Rigid slip of the strips of a zone with the `mean` creepage.
-    pub fn slip(&self, mean: Creepage<T>) -> StripSlip<'_, T> {
-        StripSlip { creepages: &self.creepages, mean }
+    pub fn slip(&self, mean: Creepage<T>) -> RigidSlip<'_, T> {
+        RigidSlip::of_strips(&self.creepages, mean)
     }
 
     /// Whether none of the strips creeps.

@@ -14,7 +14,7 @@ use crate::geometry::contacts::contact::Contact;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::normal::Strips;
-use crate::tangential::rigid_slip::{FlatSlip, RigidSlip};
+use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::{CreepForce, RollingZone, UnderLaw};
 
 /// A loaded zone in its frame, and how it rolls.
@@ -35,19 +35,27 @@ pub struct LaidZone<T = f64> {
 }
 
 impl<T: Real> LaidZone<T> {
-    /// The zone of `strips` with the rigid slip `slip`.
-    fn with<'a, S: RigidSlip<T>>(
+    /// Its rigid slip: of `curved` patches, else with one creepage on `strips`.
+    fn slip<'a>(
         &'a self,
         strips: &'a Strips<T>,
-        slip: S,
-    ) -> RollingZone<'a, S, T> {
-        let zone = RollingZone::new(&self.rolling.zone, strips, slip, &self.law);
-        RollingZone { origin: self.origin, ..zone }
+        curved: Option<&'a CurvedStrips<T>>,
+    ) -> RigidSlip<'a, T> {
+        let mean = self.law.state.creepage;
+        curved.map_or_else(
+            || RigidSlip::flat(&self.rolling.zone, strips, mean),
+            |curved| curved.slip(mean),
+        )
     }
 
-    /// The zone of `strips` with one creepage.
-    fn flat<'a>(&'a self, strips: &'a Strips<T>) -> RollingZone<'a, FlatSlip<'a, T>, T> {
-        let zone = RollingZone::flat(&self.rolling.zone, strips, &self.law);
+    /// The zone of `strips` with that slip.
+    fn rolling<'a>(
+        &'a self,
+        strips: &'a Strips<T>,
+        curved: Option<&'a CurvedStrips<T>>,
+    ) -> RollingZone<'a, T> {
+        let slip = self.slip(strips, curved);
+        let zone = RollingZone::new(&self.rolling.zone, strips, slip, &self.law);
         RollingZone { origin: self.origin, ..zone }
     }
 }
@@ -125,29 +133,26 @@ impl<T: ElementNumber> Models<T> {
         }
         let acts =
             zones.iter().filter(|zone| tangential.acts_on(&zone.rolling.zone, &zone.law)).count();
-        let convergence = if is_curved {
-            let rolling =
-                zones.iter().map(|zone| zone.with(strips, curved.slip(zone.law.state.creepage)));
-            tangential.roll(rolling, |n, j, force| {
-                let position = zones[n].rolling.position;
-                let dissipation = curved.add(&mut tractions[n], position, j, &force);
-                add_wear(j, dissipation, force.slip_area);
-            })
-        } else {
-            flat.clear();
-            flat.resize(zones.len(), CreepForce::default());
-            let rolling = zones.iter().map(|zone| zone.flat(strips));
-            let convergence = tangential.roll(rolling, |n, j, force| {
-                flat[n].add(&zones[n].rolling.zone, strips, j, &force);
-                let creepage = zones[n].flat(strips).loaded.slip.creepage(j);
-                add_wear(j, force.dissipation(&creepage), force.slip_area);
-            });
+        flat.clear();
+        flat.resize(zones.len(), CreepForce::default());
+        let curved = is_curved.then_some(&*curved);
+        let rolling = zones.iter().map(|zone| zone.rolling(strips, curved));
+        let convergence = tangential.roll(rolling, |n, j, force| {
+            let zone = &zones[n];
+            let dissipation = if let Some(curved) = curved {
+                curved.add(&mut tractions[n], zone.rolling.position, j, &force)
+            } else {
+                flat[n].add(&zone.rolling.zone, strips, j, &force);
+                force.dissipation(&zone.slip(strips, None).creepage(j))
+            };
+            add_wear(j, dissipation, force.slip_area);
+        });
+        if curved.is_none() {
             for ((tractions, zone), flat) in tractions.iter_mut().zip(zones.iter()).zip(flat.iter())
             {
                 *tractions = Tractions::flat(flat, &zone.law.state.creepage, &zone.rolling.axes);
             }
-            convergence
-        };
+        }
         if tangential.is_corrected() {
             // Parts of the correction against those of the march in other tangent planes may add up
             // to more than friction can hold.

@@ -18,19 +18,25 @@ pub(super) type Lanes = [f64; LANES];
 /// Fours that are few: contacts have no more of them, and are worth straight code for their number.
 pub(super) const FEW: usize = 8;
 
-/// Calls for `count` of `blocks` fours as a constant, or for 0 where there are more than a few.
+/// Calls for `count` of `blocks` fours as a constant, or for 0 where there are more than a few, and
+/// where the instructions `S` have no straight code.
 macro_rules! by_blocks {
     ($count:expr, $blocks:expr => $b:ident, $call:expr) => {
-        match if $blocks > FEW { 0 } else { $count } {
-            1 => { const $b: usize = 1; $call }
-            2 => { const $b: usize = 2; $call }
-            3 => { const $b: usize = 3; $call }
-            4 => { const $b: usize = 4; $call }
-            5 => { const $b: usize = 5; $call }
-            6 => { const $b: usize = 6; $call }
-            7 => { const $b: usize = 7; $call }
-            8 => { const $b: usize = 8; $call }
-            _ => { const $b: usize = 0; $call }
+        if S::IS_STRAIGHT {
+            match if $blocks > FEW { 0 } else { $count } {
+                1 => { const $b: usize = 1; $call }
+                2 => { const $b: usize = 2; $call }
+                3 => { const $b: usize = 3; $call }
+                4 => { const $b: usize = 4; $call }
+                5 => { const $b: usize = 5; $call }
+                6 => { const $b: usize = 6; $call }
+                7 => { const $b: usize = 7; $call }
+                8 => { const $b: usize = 8; $call }
+                _ => { const $b: usize = 0; $call }
+            }
+        } else {
+            const $b: usize = 0;
+            $call
         }
     };
     ($blocks:expr => $b:ident, $call:expr) => { by_blocks!($blocks, $blocks => $b, $call) };
@@ -57,6 +63,9 @@ pub(super) fn first_mut<const B: usize, T>(column: &mut [T], count: usize) -> &m
 
 /// Instructions on four numbers.
 pub(super) trait Simd: Copy {
+    /// Whether there is straight code for a few fours.
+    const IS_STRAIGHT: bool = true;
+
     /// Four numbers in a register.
     type Raw: Copy;
 
@@ -251,6 +260,9 @@ macro_rules! lane_by_lane {
 }
 
 impl Simd for Plain {
+    /// Where there are better instructions these are for old processors.
+    const IS_STRAIGHT: bool = cfg!(not(target_arch = "x86_64"));
+
     type Raw = Lanes;
 
     #[inline(always)]

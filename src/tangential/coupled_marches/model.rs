@@ -17,7 +17,6 @@ use crate::tangential::field::ContactField;
 use crate::tangential::forces::StripForce;
 use crate::tangential::loaded_zone::LoadedZone;
 use crate::tangential::neck::{Lobes, Neck};
-use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
 use crate::tangential::zone_model::RollingZone;
 
@@ -159,9 +158,9 @@ impl CoupledMarches {
     /// Hands the force on the wheel of each strip of `zones`, which come with their numbers in the
     /// order of their places across, to `each`, which adds them up: with the number of the zone and
     /// that of the strip, which may come twice. Allocates nothing.
-    pub fn roll<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
+    pub fn roll<'a, T: CreepNumber>(
         &mut self,
-        zones: &(impl Iterator<Item = (usize, RollingZone<'a, S, T>)> + Clone),
+        zones: &(impl Iterator<Item = (usize, RollingZone<'a, T>)> + Clone),
         mut each: impl FnMut(usize, usize, StripForce<T>),
     ) {
         let Some((_, any)) = zones.clone().next() else { return };
@@ -193,7 +192,7 @@ impl CoupledMarches {
     /// `elements`: shares of the bound of a cell there, of that of the pressure here.
     pub(in super::super) fn draw(
         &mut self,
-        zone: &RollingZone<'_, impl RigidSlip>,
+        zone: &RollingZone<'_>,
         elements: &LoadedElements,
         field: &mut ContactField,
     ) {
@@ -218,9 +217,7 @@ impl CoupledMarches {
 }
 
 /// The strips of a zone that carry load on which friction acts.
-fn members<'a, T: Real>(
-    loaded: LoadedZone<'a, impl RigidSlip<T> + 'a, T>,
-) -> impl Iterator<Item = usize> + Clone + 'a {
+fn members<'a, T: Real>(loaded: LoadedZone<'a, T>) -> impl Iterator<Item = usize> + Clone + 'a {
     let zone = loaded.zone;
     zone.range().filter(move |&j| {
         let strips = loaded.strips;
@@ -232,7 +229,7 @@ fn members<'a, T: Real>(
 
 /// Strip `j` of a zone with this `neck` as one that rolls forward.
 fn strip<T: Real>(
-    RollingZone { loaded, origin, .. }: &RollingZone<'_, impl RigidSlip<T>, T>,
+    RollingZone { loaded, origin, .. }: &RollingZone<'_, T>,
     neck: Option<&Neck<T>>,
     rolling: Rolling,
     j: usize,
@@ -253,7 +250,7 @@ fn strip<T: Real>(
 
 /// The parts of a zone with these `lobes` as one that rolls forward.
 fn parts<T: Real>(
-    zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+    zone: &RollingZone<'_, T>,
     lobes: Option<&Lobes<T>>,
     rolling: Rolling,
 ) -> ZoneParts<T> {

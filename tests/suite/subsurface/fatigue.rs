@@ -34,7 +34,7 @@ const LENGTH: f64 = 30.0;
 
 #[test]
 fn lines_shake_down_up_to_the_known_limits() {
-    for friction in [0.0, 0.1, 0.2, 0.3, 0.5] {
+    for friction in [0.0, 0.2, 0.5] {
         let own = long(friction);
         let places = evenly(-2.0, 2.0, 801).into_iter();
         let shears = places.flat_map(|x| evenly(1e-9, 2.0, 401).into_iter().map(move |z| (x, z)));
@@ -52,15 +52,16 @@ fn lines_shake_down_up_to_the_known_limits() {
             );
         }
         assert!(own.elastic_limit < own.shakedown_limit);
+        if friction <= 0.0 {
+            // First yield by von Mises: 0.558 p0 at 0.70 half widths.
+            assert!((own.elastic_limit / 3.1 - 1.0).abs() < tolerance::FATIGUE_KNOWN, "{own:?}");
+        }
     }
-    // First yield by von Mises: 0.558 p0 at 0.70 half widths.
-    let own = long(0.0);
-    assert!((own.elastic_limit / 3.1 - 1.0).abs() < tolerance::FATIGUE_KNOWN, "{own:?}");
 }
 
 #[test]
 fn a_circle_shakes_down_at_the_known_limit_and_responds_by_its_load() {
-    let load = ellipse([1.0, 1.0], 40, [0.0, 0.0, 1.0], BOOK);
+    let load = ellipse([1.0, 1.0], 24, [0.0, 0.0, 1.0], BOOK);
     let force = [0.0, 0.0, 2.0 * PI / 3.0];
     for (shear_yield, response) in
         [(1.0, Response::Elastic), (0.25, Response::Shakedown), (0.2, Response::Plastic)]
