@@ -217,7 +217,7 @@ impl CoupledMarches {
 }
 
 /// The strips of a zone that carry load on which friction acts.
-fn members<'a, T: Real>(loaded: LoadedZone<'a, T>) -> impl Iterator<Item = usize> + Clone + 'a {
+fn members<T: Real>(loaded: LoadedZone<'_, T>) -> impl Iterator<Item = usize> + Clone + '_ {
     let zone = loaded.zone;
     zone.range().filter(move |&j| {
         let strips = loaded.strips;
