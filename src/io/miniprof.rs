@@ -274,14 +274,6 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_cut_off_is_noticed() {
-        let error = read("a.whl", &wheel_file("XYPoints=9999", MM), WHEEL).unwrap_err();
-        assert!(matches!(error, ProfileError::Truncated { .. }), "{error}");
-        assert!(error.to_string().contains("announces 9999"), "{error}");
-        assert!(error.to_string().contains("copy it again"), "{error}");
-    }
-
-    #[test]
     fn entries_and_lines_that_cannot_be_used_are_named() {
         for header in ["ColumnDef=A,B", "XYPoints=many", "Units=furlong"] {
             let text = wheel_file(&format!("MINIPROF\n{header}"), MM);

@@ -159,11 +159,4 @@ mod tests {
             assert!(error.to_string().contains("delete the point"), "{error}");
         }
     }
-
-    #[test]
-    fn a_text_without_numbers_is_no_profile() {
-        let error = read("notes.txt", "\nDear reader,\nthis is a letter.\n").unwrap_err();
-        assert!(matches!(&error, ProfileError::UnknownFormat { line: 2, .. }), "{error}");
-        assert!(error.to_string().contains("y_mm z_mm"), "{error}");
-    }
 }
