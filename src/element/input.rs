@@ -197,21 +197,11 @@ impl Input {
     /// As [`check`](Self::check).
     pub(crate) fn admitted(&self) -> Result<Self, ContactError> {
         // At every evaluation this runs; the names are only looked up when there is one to report.
-        let w = &self.wheel;
-        let wheel = [
-            w.position,
-            w.velocity,
-            [w.roll, w.yaw, w.pitch],
-            [w.roll_rate, w.yaw_rate, w.pitch_rate],
-        ];
-        let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate, r.pitch_rate]);
-        let Self { friction, tread_friction, gauge_face_friction, .. } = *self;
-        let others = [self.track_s, self.wheel_load, friction, tread_friction, gauge_face_friction];
-        let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);
-        let sum: f64 = all.map(|value| value.abs()).sum();
+        let mut sum = 0.0;
+        self.each(&mut |value| sum += value.abs());
         // Nothing compares with what is not a number.
         let admitted = if sum <= MAX_NUMBER { *self } else { self.bounded()? };
-        if friction.min(tread_friction).min(gauge_face_friction) < 0.0 {
+        if self.friction.min(self.tread_friction).min(self.gauge_face_friction) < 0.0 {
             return Err(self.negative_friction());
         }
         Ok(admitted)

@@ -98,13 +98,10 @@ pub(crate) fn read(
         points,
         last_digit: last_digit * unit,
         unit_is_stated: header.unit.is_some(),
-        direction_is_stated: false,
-        side_is_stated: false,
-        origin_is_stated: false,
         is_measured_rail: kind == ProfileKind::Rail,
-        smoothing: None,
         remedies: REMEDIES,
         remarks,
+        ..ProfilePoints::default()
     })
 }
 

@@ -133,15 +133,12 @@ pub(crate) fn read(
         file: file.into(),
         points: entries.apply(found.points),
         last_digit,
-        unit_is_stated: false,
         direction_is_stated: kind == ProfileKind::Rail,
-        side_is_stated: false,
         // The running circle, where the points reach it.
         origin_is_stated: true,
-        is_measured_rail: false,
-        smoothing: None,
         remedies: REMEDIES,
         remarks,
+        ..ProfilePoints::default()
     })
 }
 

@@ -55,14 +55,9 @@ pub(crate) fn read(
         file: file.into(),
         points,
         last_digit,
-        unit_is_stated: false,
-        direction_is_stated: false,
-        side_is_stated: false,
-        origin_is_stated: false,
-        is_measured_rail: false,
-        smoothing: None,
         remedies: REMEDIES,
         remarks,
+        ..ProfilePoints::default()
     })
 }
 

@@ -54,46 +54,20 @@ numbers!(
 );
 
 impl SideInput {
-    /// What of the input of a wheel is of its side.
-    fn of(input: &element::Input) -> Self {
-        let &element::Input {
-            rails,
-            wheel_load,
-            friction,
-            tread_friction,
-            gauge_face_friction,
-            ..
-        } = input;
-        let (line, own_pitch, own_pitch_rate) = (RailLine::default(), 0.0, 0.0);
-        Self {
-            rails,
-            wheel_load,
-            friction,
-            tread_friction,
-            gauge_face_friction,
-            line,
-            own_pitch,
-            own_pitch_rate,
-        }
-    }
-
     /// The input of an element with a `wheel` of this side.
     pub(super) fn with(&self, wheel: WheelMotion, track_s: f64) -> element::Input {
-        let &Self { rails, wheel_load, friction, tread_friction, gauge_face_friction, .. } = self;
         element::Input {
             wheel,
-            wheel_load,
-            rails,
+            wheel_load: self.wheel_load,
+            rails: self.rails,
             track_s,
-            friction,
-            tread_friction,
-            gauge_face_friction,
-            ..element::Input::at_rest()
+            friction: self.friction,
+            tread_friction: self.tread_friction,
+            gauge_face_friction: self.gauge_face_friction,
+            ..element::Input::default()
         }
     }
-}
 
-impl SideInput {
     /// # Errors
     /// What is not in its range of what an element has not, by its name on a `side`.
     fn check(&self, side: &str) -> Result<(), ContactError> {
@@ -115,9 +89,19 @@ impl Default for Input {
     fn default() -> Self {
         let input = element::Input::default();
         let [x, _, z] = input.wheel.position;
+        let side = SideInput {
+            rails: input.rails,
+            wheel_load: input.wheel_load,
+            friction: input.friction,
+            tread_friction: input.tread_friction,
+            gauge_face_friction: input.gauge_face_friction,
+            line: RailLine::default(),
+            own_pitch: 0.0,
+            own_pitch_rate: 0.0,
+        };
         Self {
             wheelset: WheelMotion { position: [x, 0.0, z], ..input.wheel },
-            sides: [SideInput::of(&input); 2],
+            sides: [side; 2],
             track_s: input.track_s,
             track: TrackTurn::default(),
         }
