@@ -237,9 +237,10 @@ fn access(out: &mut String, declaration: &Declaration) {
     let mut function = |head: String,
                         of: &dyn Fn(&Variable) -> bool,
                         arm: &dyn Fn(&Variable) -> String| {
-        let all = declaration.variables.iter().enumerate().filter(|(_, v)| of(v));
-        let arms: String =
-            all.map(|(reference, v)| format!("{reference} => {},\n", arm(v))).collect();
+        let mut arms = String::new();
+        for (reference, v) in declaration.variables.iter().enumerate().filter(|(_, v)| of(v)) {
+            line(&mut arms, &format!("{reference} => {},", arm(v)));
+        }
         // Without an arm nothing is used.
         let unused =
             if arms.is_empty() { ", unused_variables, clippy::match_single_binding" } else { "" };
