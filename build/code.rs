@@ -215,92 +215,81 @@ fn allowed(declaration: &Declaration, v: &Variable) -> String {
 
 /// Functions that read and write the field behind a variable, one for each type.
 fn access(out: &mut String, declaration: &Declaration) {
-    let of = |wanted: fn(&Kind) -> bool| {
-        let all = declaration.variables.iter().enumerate();
-        all.filter(move |(_, v)| wanted(&v.kind))
-    };
-    let arms = |wanted: fn(&Kind) -> bool, get: &dyn Fn(&str) -> String| {
-        let mut arms = String::new();
-        for (reference, v) in of(wanted) {
-            line(&mut arms, &format!("{reference} => {},", get(&v.field)));
-        }
-        arms
-    };
+    let real = |v: &Variable| matches!(v.kind, Kind::Real(_));
+    let integer = |v: &Variable| matches!(v.kind, Kind::Integer(_) | Kind::Enumeration(..));
+    let boolean = |v: &Variable| matches!(v.kind, Kind::Boolean(_));
+    let text = |v: &Variable| matches!(v.kind, Kind::Text(_));
     let is_set = |v: &Variable| matches!(v.causality, Causality::Input | Causality::Parameter);
-    let written = |wanted: fn(&Kind) -> bool,
-                   set: &dyn Fn(&str) -> String,
-                   is_written: &dyn Fn(&Variable) -> bool| {
-        let mut arms = String::new();
-        for (reference, v) in of(wanted).filter(|(_, v)| is_written(v)) {
-            let all: Vec<String> =
-                std::iter::once(&v.field).chain(&v.also).map(|field| set(field)).collect();
-            line(&mut arms, &format!("{reference} => {{ {}; }}", all.join("; ")));
-        }
-        arms
-    };
-    // Whole outputs too, which bytes of a state hold.
-    let is_whole = |v: &Variable| is_set(v) || v.causality == Causality::Output;
+    let is_output = |v: &Variable| v.causality == Causality::Output;
     // Alone in its field, and not computed from inputs.
     let is_slot = |v: &Variable| {
         v.also.is_empty() && (is_set(v) || v.causality == Causality::CalculatedParameter)
     };
-    let mut slots = String::new();
-    let mut shared = String::new();
-    for (reference, v) in of(|k| matches!(k, Kind::Real(_))) {
-        if is_slot(v) {
-            line(&mut slots, &format!("{reference} => Some(&mut values.{}),", v.field));
-        } else if is_set(v) {
+    // What is done with the field of a variable; with all of them, where it is set.
+    let field = |done: fn(&str) -> String| move |v: &Variable| done(&v.field);
+    let fields = |done: fn(&str) -> String| {
+        move |v: &Variable| {
             let all = std::iter::once(&v.field).chain(&v.also);
-            let all: Vec<String> = all.map(|field| format!("values.{field} = value")).collect();
-            line(&mut shared, &format!("{reference} => {{ {}; }}", all.join("; ")));
+            let all: Vec<String> = all.map(|field| done(field)).collect();
+            format!("{{ {}; }}", all.join("; "))
         }
-    }
-    let mut outputs = String::new();
-    for (reference, v) in of(|k| matches!(k, Kind::Real(_))) {
-        if v.causality == Causality::Output {
-            line(&mut outputs, &format!("{reference} => Some(&mut values.{}),", v.field));
+    };
+    let mut function = |head: String,
+                        of: &dyn Fn(&Variable) -> bool,
+                        arm: &dyn Fn(&Variable) -> String| {
+        let mut arms = String::new();
+        for (reference, v) in declaration.variables.iter().enumerate().filter(|(_, v)| of(v)) {
+            line(&mut arms, &format!("{reference} => {},", arm(v)));
         }
-    }
-    let integer: fn(&Kind) -> bool = |k| matches!(k, Kind::Integer(_) | Kind::Enumeration(..));
-    let boolean: fn(&Kind) -> bool = |k| matches!(k, Kind::Boolean(_));
-    let text: fn(&Kind) -> bool = |k| matches!(k, Kind::Text(_));
-    let real: fn(&Kind) -> bool = |k| matches!(k, Kind::Real(_));
-    let function = |head: &str, arms: String, rest: &str| {
         // Without an arm nothing is used.
         let unused =
             if arms.is_empty() { ", unused_variables, clippy::match_single_binding" } else { "" };
-        format!(
-            "#[allow(clippy::single_match, clippy::too_many_lines{unused})]\n#[inline]\nfn {head} {{ match reference {{ {arms} _ => {rest} }} }}"
-        )
+        let rest = if head.contains("->") { "None" } else { "()" };
+        line(
+            out,
+            &format!(
+                "#[allow(clippy::single_match, clippy::too_many_lines{unused})]\n#[inline]\nfn {head} {{ match reference {{ {arms} _ => {rest} }} }}"
+            ),
+        );
     };
-    let read = |f: &str| format!("Some(values.{f})");
-    let whole = |f: &str| format!("Some(IntegerField::get(&values.{f}))");
-    let letters = |f: &str| format!("Some(&values.{f})");
-    let write = |f: &str| format!("values.{f} = value");
-    let convert = |f: &str| format!("IntegerField::set(&mut values.{f}, value)");
-    let copy = |f: &str| format!("value.clone_into(&mut values.{f})");
     let get = "values: &ValuesOf<Self>, reference: usize";
     let set = "values: &mut ValuesOf<Self>, reference: usize";
-    for text in [
-        function(&format!("real({get}) -> Option<f64>"), arms(real, &read), "None"),
-        function(&format!("integer({get}) -> Option<i32>"), arms(integer, &whole), "None"),
-        function(&format!("boolean({get}) -> Option<bool>"), arms(boolean, &read), "None"),
-        function(&format!("text({get}) -> Option<&str>"), arms(text, &letters), "None"),
-        function(&format!("real_slot({set}) -> Option<&mut f64>"), slots, "None"),
-        function(&format!("output_slot({set}) -> Option<&mut f64>"), outputs, "None"),
-        function(&format!("set_real({set}, value: f64)"), shared, "()"),
-        function(
-            &format!("set_integer({set}, value: i32)"),
-            written(integer, &convert, &is_whole),
-            "()",
-        ),
-        function(
-            &format!("set_boolean({set}, value: bool)"),
-            written(boolean, &write, &is_set),
-            "()",
-        ),
-        function(&format!("set_text({set}, value: &str)"), written(text, &copy, &is_set), "()"),
-    ] {
-        line(out, &text);
-    }
+    let read = field(|f| format!("Some(values.{f})"));
+    let lent = field(|f| format!("Some(&mut values.{f})"));
+    function(format!("real({get}) -> Option<f64>"), &real, &read);
+    function(
+        format!("integer({get}) -> Option<i32>"),
+        &integer,
+        &field(|f| format!("Some(IntegerField::get(&values.{f}))")),
+    );
+    function(format!("boolean({get}) -> Option<bool>"), &boolean, &read);
+    function(
+        format!("text({get}) -> Option<&str>"),
+        &text,
+        &field(|f| format!("Some(&values.{f})")),
+    );
+    function(format!("real_slot({set}) -> Option<&mut f64>"), &|v| real(v) && is_slot(v), &lent);
+    function(
+        format!("output_slot({set}) -> Option<&mut f64>"),
+        &|v| real(v) && is_output(v),
+        &lent,
+    );
+    let write = fields(|f| format!("values.{f} = value"));
+    function(
+        format!("set_real({set}, value: f64)"),
+        &|v| real(v) && is_set(v) && !is_slot(v),
+        &write,
+    );
+    // Whole outputs too, which bytes of a state hold.
+    function(
+        format!("set_integer({set}, value: i32)"),
+        &|v| integer(v) && (is_set(v) || is_output(v)),
+        &fields(|f| format!("IntegerField::set(&mut values.{f}, value)")),
+    );
+    function(format!("set_boolean({set}, value: bool)"), &|v| boolean(v) && is_set(v), &write);
+    function(
+        format!("set_text({set}, value: &str)"),
+        &|v| text(v) && is_set(v),
+        &fields(|f| format!("value.clone_into(&mut values.{f})")),
+    );
 }

@@ -7,7 +7,7 @@
 use super::contact::models::Models;
 use super::derivatives::{Height, WAVES, at_this_input};
 use super::gradient::{Back, Gradient};
-use super::input::{INPUTS, Input, PLACES, move_all};
+use super::input::{HEIGHT, INPUTS, Input, LOAD, PLACES, move_all};
 use super::output::Output;
 use super::parameters::RAILS;
 use super::quasi_static_rails::solve;
@@ -16,11 +16,8 @@ use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 use crate::geometry::curves::knot_slopes::KnotSlopes;
 use crate::leaves;
+use crate::math::numbers::Numbers;
 use crate::math::tape::{Tape, Taped};
-
-/// Places of height and load among the inputs.
-const HEIGHT: usize = 2;
-const LOAD: usize = 26;
 
 /// Memory for derivatives backwards, which grows with the longest evaluation.
 #[derive(Clone, Debug)]
@@ -165,16 +162,7 @@ impl Element {
             return Ok(Back { by_input, ..Back::default() });
         }
         tape.record(leaves::COUNT, || self.moving_forces(&input, models, output))?;
-        let _ = output.each(|number| {
-            seeds.push((number, 0.0));
-            number
-        });
-        let mut n = 0;
-        let _ = weights.each(|weight| {
-            seeds[n].1 = weight;
-            n += 1;
-            weight
-        });
+        output.each_with(weights, &mut |number, weight| seeds.push((number, weight)));
         seeds.retain(|(_, weight)| *weight != 0.0);
         let is_loaded = *height == Height::Loaded;
         let gives_way = self.rails_at().is_none();

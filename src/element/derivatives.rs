@@ -9,7 +9,7 @@
 use super::contact::models::Models;
 use super::contact::rail_friction::RailFriction;
 use super::derivative_memory::{DIRECTIONS, DerivativeMemory};
-use super::input::{INPUT_NAMES, INPUTS, Input};
+use super::input::{HEIGHT, INPUT_NAMES, INPUTS, Input, LOAD};
 use super::output::{Output, Wrench};
 use super::parameters::foundation::FoundationModel;
 use super::parameters::{NormalModel, VerticalMode};
@@ -23,9 +23,6 @@ use crate::tangential::TangentialModel;
 
 /// What gives bodies waves.
 pub(super) const WAVES: &str = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
-/// Places of height and load among the inputs.
-const HEIGHT: usize = 2;
-const LOAD: usize = 26;
 
 impl Element {
     /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates
@@ -411,10 +408,7 @@ pub(super) enum Height {
 fn is_finite(rates: &Output) -> bool {
     let mut sum = 0.0;
     // Zero times anything that is not finite is not a number.
-    let _ = rates.each(|rate| {
-        sum += 0.0 * rate;
-        rate
-    });
+    rates.each(|rate| sum += 0.0 * rate);
     sum == 0.0
 }
 

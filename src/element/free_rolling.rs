@@ -88,13 +88,8 @@ mod tests {
         input.wheel.velocity[0] = 20.0;
         let [mut by_rolling, mut by_rate] = [Output::default(); 2];
         rolling.evaluate(&input, &mut by_rolling)?;
-        let turning = Input {
-            wheel: crate::kinematics::motion::WheelMotion {
-                pitch_rate: -20.0 / 0.46,
-                ..input.wheel
-            },
-            ..input
-        };
+        let mut turning = input;
+        turning.wheel.pitch_rate = -20.0 / 0.46;
         given.evaluate(&turning, &mut by_rate)?;
         assert_eq!(by_rolling, by_rate);
         assert!(by_rolling.patches[0].slip_share < 0.5, "it slides");

@@ -3,6 +3,7 @@
 use super::parameters::{Mirror, RAILS};
 use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
+use crate::math::numbers::{Numbers, numbers};
 use crate::math::real::Real;
 use crate::open::Open;
 
@@ -31,6 +32,11 @@ pub struct Input<T = f64> {
     #[doc(hidden)]
     pub open: Open,
 }
+
+numbers!(
+    Input: wheel, wheel_load, rails, track_s, friction, tread_friction, gauge_face_friction;
+    kept open
+);
 
 impl Default for Input {
     /// The nominal position of a right wheel, just lifted, at rest. (The units and the command line
@@ -89,84 +95,44 @@ impl<T: Real> Input<T> {
     /// All inputs, in the order of [`INPUT_NAMES`].
     #[doc(hidden)]
     pub fn to_array(&self) -> [T; INPUTS] {
-        let Self { wheel: w, wheel_load, rails: [r, s], track_s, friction, .. } = self;
-        let ([x, y, z], [vx, vy, vz]) = (w.position, w.velocity);
-        [
-            x,
-            y,
-            z,
-            w.roll,
-            w.yaw,
-            w.pitch,
-            vx,
-            vy,
-            vz,
-            w.roll_rate,
-            w.yaw_rate,
-            w.pitch_rate,
-            r.y,
-            r.z,
-            r.roll,
-            r.vy,
-            r.vz,
-            r.roll_rate,
-            s.y,
-            s.z,
-            s.roll,
-            s.vy,
-            s.vz,
-            s.roll_rate,
-            *track_s,
-            *friction,
-            *wheel_load,
-            self.tread_friction,
-            self.gauge_face_friction,
-            r.pitch_rate,
-            s.pitch_rate,
-        ]
+        let mut copy = *self;
+        copy.in_order().map(|number| *number)
     }
 
     /// The inputs of [`to_array`](Self::to_array).
     #[doc(hidden)]
     pub fn from_array(all: [T; INPUTS]) -> Self {
-        let rail = |k: usize, pitch_rate: usize| RailMotion {
-            y: all[k],
-            z: all[k + 1],
-            roll: all[k + 2],
-            vy: all[k + 3],
-            vz: all[k + 4],
-            roll_rate: all[k + 5],
-            pitch_rate: all[pitch_rate],
-        };
-        Self {
-            wheel: WheelMotion {
-                position: [all[0], all[1], all[2]],
-                roll: all[3],
-                yaw: all[4],
-                pitch: all[5],
-                velocity: [all[6], all[7], all[8]],
-                roll_rate: all[9],
-                yaw_rate: all[10],
-                pitch_rate: all[11],
-            },
-            wheel_load: all[26],
-            rails: [rail(12, 29), rail(18, 30)],
-            track_s: all[24],
-            friction: all[25],
-            tread_friction: all[27],
-            gauge_face_friction: all[28],
-            open: Open::default(),
+        let mut input = Self::at_rest();
+        for (place, number) in input.in_order().into_iter().zip(all) {
+            *place = number;
         }
+        input
+    }
+
+    /// The numbers, in the order of [`INPUT_NAMES`].
+    #[rustfmt::skip]
+    fn in_order(&mut self) -> [&mut T; INPUTS] {
+        let Self { wheel: w, rails: [r, s], .. } = self;
+        let ([x, y, z], [vx, vy, vz]) = (&mut w.position, &mut w.velocity);
+        [
+            x, y, z, &mut w.roll, &mut w.yaw, &mut w.pitch,
+            vx, vy, vz, &mut w.roll_rate, &mut w.yaw_rate, &mut w.pitch_rate,
+            &mut r.y, &mut r.z, &mut r.roll, &mut r.vy, &mut r.vz, &mut r.roll_rate,
+            &mut s.y, &mut s.z, &mut s.roll, &mut s.vy, &mut s.vz, &mut s.roll_rate,
+            &mut self.track_s, &mut self.friction, &mut self.wheel_load,
+            &mut self.tread_friction, &mut self.gauge_face_friction,
+            &mut r.pitch_rate, &mut s.pitch_rate,
+        ]
     }
 
     /// All numbers zero: no rates.
     pub fn at_rest() -> Self {
-        Self::from_array([T::from(0.0); INPUTS])
+        Input::default().each(&mut |_| T::from(0.0))
     }
 
     /// The values without derivatives.
     pub fn value(&self) -> Input {
-        Input::from_array(self.to_array().map(Real::value))
+        self.each(&mut Real::value)
     }
 }
 
@@ -196,6 +162,9 @@ pub(super) fn move_all(numbers: &mut [f64; INPUTS], first: usize, way: f64) {
     numbers[first + RAIL] += way;
 }
 
+/// Places of height and load among the inputs.
+pub(super) const HEIGHT: usize = 2;
+pub(super) const LOAD: usize = 26;
 /// Places among the inputs: lateral and vertical coordinate of rail 1, its velocities, and how far
 /// behind it rail 2 is.
 pub(super) const PLACES: [usize; 2] = [12, 13];
@@ -228,21 +197,11 @@ impl Input {
     /// As [`check`](Self::check).
     pub(crate) fn admitted(&self) -> Result<Self, ContactError> {
         // At every evaluation this runs; the names are only looked up when there is one to report.
-        let w = &self.wheel;
-        let wheel = [
-            w.position,
-            w.velocity,
-            [w.roll, w.yaw, w.pitch],
-            [w.roll_rate, w.yaw_rate, w.pitch_rate],
-        ];
-        let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate, r.pitch_rate]);
-        let Self { friction, tread_friction, gauge_face_friction, .. } = *self;
-        let others = [self.track_s, self.wheel_load, friction, tread_friction, gauge_face_friction];
-        let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);
-        let sum: f64 = all.map(|value| value.abs()).sum();
+        let mut sum = 0.0;
+        self.each(&mut |value| sum += value.abs());
         // Nothing compares with what is not a number.
         let admitted = if sum <= MAX_NUMBER { *self } else { self.bounded()? };
-        if friction.min(tread_friction).min(gauge_face_friction) < 0.0 {
+        if self.friction.min(self.tread_friction).min(self.gauge_face_friction) < 0.0 {
             return Err(self.negative_friction());
         }
         Ok(admitted)

@@ -3,13 +3,11 @@
 use super::input::Input;
 use super::parameters::foundation::TrackState;
 use super::parameters::{Mirror, RAILS};
+use crate::math::numbers::{Numbers, numbers};
 use crate::math::real::Real;
 
 /// Patches that are reported one by one; forces hold any number.
 pub const REPORTED_PATCHES: usize = 8;
-
-/// Real numbers of an output but wear: at most.
-const REAL_NUMBERS: usize = 32 + 32 * REPORTED_PATCHES;
 
 /// Force on a body and moment about its marker, in the track frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -169,38 +167,8 @@ impl<T: Real> Output<T> {
 
     /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which
     /// have no derivatives, are left out.
-    pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
-        Output {
-            wheel: self.wheel.each(&mut turn),
-            rails: self.rails.each_ref().map(|wrench| wrench.each(&mut turn)),
-            wheel_z: turn(self.wheel_z),
-            load_carried: turn(self.load_carried),
-            foundation: self.foundation.each(&mut turn),
-            normal_residual: turn(self.normal_residual),
-            tangential_residual: turn(self.tangential_residual),
-            wear_number: turn(self.wear_number),
-            frictional_power: turn(self.frictional_power),
-            patches: self.patches.each_ref().map(|patch| patch.each(&mut turn)),
-            ..Output::default()
-        }
-    }
-
-    /// Σ weight · output over all real numbers but wear.
-    pub(crate) fn sum_of(&self, weights: &Output) -> f64 {
-        let mut all = [0.0; REAL_NUMBERS];
-        let mut n = 0;
-        let _ = weights.each(|weight| {
-            all[n] = weight;
-            n += 1;
-            weight
-        });
-        let (mut sum, mut n) = (0.0, 0);
-        let _ = self.each(|number| {
-            sum += number.value() * all[n];
-            n += 1;
-            number
-        });
-        sum
+    pub fn each<S: Default>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
+        Numbers::each(self, &mut turn)
     }
 
     /// The height of the wheel in `input`, the load that its rails carry there, and the heaviest of
@@ -214,6 +182,18 @@ impl<T: Real> Output<T> {
         }
     }
 }
+
+numbers!(Wrench: force, moment);
+numbers!(Deflection: deflection, velocity; ..Deflection::default());
+numbers!(
+    Patch: normal_force, creep_force, spin_moment, contact_angle, position, wheel_y, rail_y,
+    rolling_radius, penetration, max_pressure, length, width, area, creepage, friction_coefficient,
+    temperature, slip_share, frictional_power, tgamma_damage, surface_fatigue_index; kept rail
+);
+numbers!(
+    Output: wheel, rails, wheel_z, load_carried, foundation, normal_residual, tangential_residual,
+    wear_number, frictional_power, patches; ..Output::default()
+);
 
 /// Sorts patches.
 pub(super) fn heaviest_first<T: Real>(patches: &mut [Patch<T>]) {
@@ -234,11 +214,6 @@ impl<T: Real> Mirror for Output<T> {
 }
 
 impl<T: Real> Deflection<T> {
-    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Deflection<S> {
-        let (deflection, velocity) = (self.deflection.map(&mut *turn), self.velocity.map(turn));
-        Deflection { deflection, velocity, step_error: 0.0 }
-    }
-
     fn mirrored(&self) -> Self {
         let ([y, z], [vy, vz]) = (self.deflection, self.velocity);
         Self { deflection: [-y, z], velocity: [-vy, vz], ..*self }
@@ -246,10 +221,6 @@ impl<T: Real> Deflection<T> {
 }
 
 impl<T: Real> Wrench<T> {
-    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Wrench<S> {
-        Wrench { force: self.force.map(&mut *turn), moment: self.moment.map(turn) }
-    }
-
     fn mirrored(&self) -> Self {
         let ([fx, fy, fz], [mx, my, mz]) = (self.force, self.moment);
         Self { force: [fx, -fy, fz], moment: [-mx, my, -mz] }
@@ -257,32 +228,6 @@ impl<T: Real> Wrench<T> {
 }
 
 impl<T: Real> Patch<T> {
-    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Patch<S> {
-        Patch {
-            rail: self.rail,
-            normal_force: turn(self.normal_force),
-            creep_force: self.creep_force.map(&mut *turn),
-            spin_moment: turn(self.spin_moment),
-            contact_angle: turn(self.contact_angle),
-            position: self.position.map(&mut *turn),
-            wheel_y: turn(self.wheel_y),
-            rail_y: turn(self.rail_y),
-            rolling_radius: turn(self.rolling_radius),
-            penetration: turn(self.penetration),
-            max_pressure: turn(self.max_pressure),
-            length: turn(self.length),
-            width: turn(self.width),
-            area: turn(self.area),
-            creepage: self.creepage.map(&mut *turn),
-            friction_coefficient: turn(self.friction_coefficient),
-            temperature: turn(self.temperature),
-            slip_share: turn(self.slip_share),
-            frictional_power: turn(self.frictional_power),
-            tgamma_damage: turn(self.tgamma_damage),
-            surface_fatigue_index: turn(self.surface_fatigue_index),
-        }
-    }
-
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.position;
         let [longitudinal, lateral, spin] = self.creepage;

@@ -111,22 +111,18 @@ pub fn without_effect(parameters: &Parameters, name: &str) -> Option<Remark> {
         (mode != wanted).then_some(("vertical.mode", name_of_mode(mode), name_of_mode(wanted)))
     };
     let turned = (parameters.motion != Motion::Given).then_some(("motion", "rolling", "given"));
-    let (input, found) = match name {
-        "wheel.pitch_rate" => ("wheel.pitch_rate", turned),
-        "wheelset.pitch_rate" => ("wheelset.pitch_rate", turned),
-        "wheel.load" => ("wheel.load", vertical(VerticalMode::Load)),
-        "wheel.z" => ("wheel.z", vertical(VerticalMode::Penetration)),
-        "wheelset.z" => ("wheelset.z", vertical(VerticalMode::Penetration)),
-        "wheelset.roll" => ("wheelset.roll", vertical(VerticalMode::Penetration)),
-        "friction.coefficient" => ("friction.coefficient", friction(FrictionDistribution::Uniform)),
-        "friction.tread.coefficient" => {
-            ("friction.tread.coefficient", friction(FrictionDistribution::Regions))
-        }
-        "friction.gauge_face.coefficient" => {
-            ("friction.gauge_face.coefficient", friction(FrictionDistribution::Regions))
-        }
-        _ => return None,
-    };
+    let inputs = [
+        ("wheel.pitch_rate", turned),
+        ("wheelset.pitch_rate", turned),
+        ("wheel.load", vertical(VerticalMode::Load)),
+        ("wheel.z", vertical(VerticalMode::Penetration)),
+        ("wheelset.z", vertical(VerticalMode::Penetration)),
+        ("wheelset.roll", vertical(VerticalMode::Penetration)),
+        ("friction.coefficient", friction(FrictionDistribution::Uniform)),
+        ("friction.tread.coefficient", friction(FrictionDistribution::Regions)),
+        ("friction.gauge_face.coefficient", friction(FrictionDistribution::Regions)),
+    ];
+    let (input, found) = inputs.into_iter().find(|(input, _)| *input == name)?;
     let (parameter, chosen, with) = found?;
     Some(Remark::NoEffect { input, parameter, chosen, with })
 }

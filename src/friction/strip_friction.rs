@@ -1,5 +1,6 @@
 //! Coefficient of friction of one strip.
 
+use crate::math::numbers::numbers;
 use crate::math::real::Real;
 
 /// Coefficient of friction of one strip, before slip changes it.
@@ -12,6 +13,8 @@ pub struct StripFriction<T = f64> {
     /// Share of the gauge face in the strip, 0 to 1 [-].
     pub gauge_face_share: T,
 }
+
+numbers!(StripFriction: tread, gauge_face, gauge_face_share);
 
 impl<T: Real> StripFriction<T> {
     /// The same coefficient on tread and gauge face.

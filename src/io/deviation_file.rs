@@ -99,25 +99,4 @@ mod tests {
         assert_eq!(points.len(), 4);
         assert_relative_eq!(points[2][0], std::f64::consts::PI * 0.5, max_relative = 1e-12);
     }
-
-    #[test]
-    fn what_is_wrong_is_named_with_its_line() {
-        let wheel = Deviations::Wheel { radius: 0.5 };
-        for (text, body, words) in [
-            ("0 0\n0.01 9\n0.02 0\n1 0\n", Deviations::Rail, "no steeper than 0.3 (line 2)"),
-            ("0 0 0\n", Deviations::Rail, "the two columns station_m height_mm (line 1)"),
-            ("0 0 0\n", wheel, "the two columns angle_deg radius_mm (line 1)"),
-            ("0 0\n90 0\n180 0\n400 0\n", wheel, "one revolution"),
-        ] {
-            let error = points(text, body).unwrap_err();
-            assert!(error.contains(words), "{error}");
-        }
-    }
-
-    #[test]
-    fn a_file_that_is_not_there_is_refused_by_parameter_and_name() {
-        let error = load_deviations("rail[1].corrugation.file", "no.csv", Deviations::Rail, &[]);
-        let text = error.unwrap_err().to_string();
-        assert!(text.contains("rail[1].corrugation.file") && text.contains("no.csv"), "{text}");
-    }
 }

@@ -189,35 +189,4 @@ mod tests {
         assert_eq!(found.sections.len(), 3);
         assert_relative_eq!(coefficient(&found, -1.0, 10.5), 0.175, max_relative = 1e-12);
     }
-
-    #[test]
-    fn what_is_wrong_is_named_with_its_line() {
-        for (text, words) in [
-            ("-20 0.2\n", "\"-20\" is none of them (line 1)"),
-            ("angle friction\n", "\"angle\" is none of them (line 1)"),
-            ("friction friction station_m\n", "friction is there twice (line 1)"),
-            ("inclination_deg place_mm friction\n", "not both (line 1)"),
-            ("inclination_deg\n", "a column friction (line 1)"),
-            ("friction\n0.3\n", "beside friction (line 1)"),
-            ("inclination_deg friction\n-20\n", "2 finite numbers in a row (line 2)"),
-            ("inclination_deg friction\n-20 x\n", "2 finite numbers in a row (line 2)"),
-            ("inclination_deg friction\n-20 nan\n", "2 finite numbers in a row (line 2)"),
-            ("rail station_m friction\n3 0 0.2\n", "1 or 2 in the column rail (line 2)"),
-            ("rail station_m friction\n2 0 0.2\n", "rows for rail 1"),
-            ("inclination_deg friction\n-20 30\n", "friction from 0 to 10 (line 2)"),
-            ("inclination_deg friction\n-20 -0.1\n", "friction from 0 to 10 (line 2)"),
-            ("inclination_deg friction\n-200 0.3\n", "from -180 to 180 (line 2)"),
-            ("place_mm friction\n2000 0.3\n", "from -1000 to 1000 (line 2)"),
-            ("station_m friction\n5 0.3\n4 0.3\n", "does not fall from row to row (line 3)"),
-            ("station_m friction\n5 0.3\n5 0.3\n", "grows from row to row (line 3)"),
-            (
-                "place_mm friction\n5 0.3\n5 0.3\n",
-                "a place_mm that grows from row to row of a station (line 3)",
-            ),
-            ("", "rows for rail 1"),
-        ] {
-            let error = profile(text, 1).unwrap_err();
-            assert!(error.contains(words), "{error}");
-        }
-    }
 }

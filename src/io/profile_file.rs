@@ -259,12 +259,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn a_miniprof_file_of_the_other_body_is_refused_by_its_extension() {
-        let text = refused("wheel.WHL", b"MINIPROF\n\n1 2\n");
-        assert!(text.contains("wheel.WHL:1") && text.contains("not a rail profile"), "{text}");
-    }
-
     proptest::proptest! {
         #[test]
         fn no_content_makes_a_reader_panic(

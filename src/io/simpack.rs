@@ -133,15 +133,12 @@ pub(crate) fn read(
         file: file.into(),
         points: entries.apply(found.points),
         last_digit,
-        unit_is_stated: false,
         direction_is_stated: kind == ProfileKind::Rail,
-        side_is_stated: false,
         // The running circle, where the points reach it.
         origin_is_stated: true,
-        is_measured_rail: false,
-        smoothing: None,
         remedies: REMEDIES,
         remarks,
+        ..ProfilePoints::default()
     })
 }
 
@@ -254,7 +251,7 @@ mod tests {
     fn file(kind: u8, entries: &str, change: impl Fn([f64; 2]) -> [f64; 2]) -> String {
         let mut text = format!(
             "! made for a test\nheader.begin\n  version = 1 ! one\n  type = {kind}\nheader.end\nspline.begin\n\
-             {entries}\n  comment = 'wow! it''s a wheel'\n  point.begin\n"
+             {entries}\n  comment = 'wow! it''s a \"wheel\" 100 %'\n  point.begin\n"
         );
         for point in sampled("S1002", WHEEL, 5e-4) {
             let [y, z] = change(point);
@@ -323,25 +320,6 @@ mod tests {
             assert!(error.to_string().contains(entry), "{error}");
             assert!(error.to_string().contains("must be"), "{error}");
         }
-    }
-
-    #[test]
-    fn missing_factor_for_millimetres_is_mended_and_says_which_entry_to_set() {
-        let read = read("a.prw", &file(1, "", |p| p.map(|x| x * 1e3)), WHEEL).unwrap();
-        let profile = read.into_profile(WHEEL, 0.0).unwrap();
-        assert_relative_eq!(profile.bounds().z[1], 0.028, epsilon = 1e-6);
-        let text = profile.remarks[0].to_string();
-        assert!(text.contains("read in millimetres") && text.contains("units.len.f"), "{text}");
-    }
-
-    #[test]
-    fn comments_and_headings_among_the_points_are_passed_over() {
-        let whole = file(1, "comment = 'flange \"A\" 100 %'", |p| p);
-        let begin = "  point.begin\n";
-        let more = format!("{begin}% 1 2\n\"1 2\n y z\n 271\n");
-        let read = read("a.prw", &whole.replacen(begin, &more, 1), WHEEL).unwrap();
-        assert_eq!(read.remarks.len(), 2, "{:?}", read.remarks);
-        assert_eq!(read.points.len(), super::read("a.prw", &whole, WHEEL).unwrap().points.len());
     }
 
     #[test]

@@ -55,14 +55,9 @@ pub(crate) fn read(
         file: file.into(),
         points,
         last_digit,
-        unit_is_stated: false,
-        direction_is_stated: false,
-        side_is_stated: false,
-        origin_is_stated: false,
-        is_measured_rail: false,
-        smoothing: None,
         remedies: REMEDIES,
         remarks,
+        ..ProfilePoints::default()
     })
 }
 
@@ -158,12 +153,5 @@ mod tests {
             assert!(error.to_string().contains("rail.txt:3:"), "{error}");
             assert!(error.to_string().contains("delete the point"), "{error}");
         }
-    }
-
-    #[test]
-    fn a_text_without_numbers_is_no_profile() {
-        let error = read("notes.txt", "\nDear reader,\nthis is a letter.\n").unwrap_err();
-        assert!(matches!(&error, ProfileError::UnknownFormat { line: 2, .. }), "{error}");
-        assert!(error.to_string().contains("y_mm z_mm"), "{error}");
     }
 }

@@ -1,5 +1,7 @@
 //! Position and velocity of wheel and rail in the track frame.
 
+use crate::math::numbers::numbers;
+
 /// Position and velocity of the wheel marker, and attitude of the wheel, in the track frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelMotion<T = f64> {
@@ -40,3 +42,6 @@ pub struct RailMotion<T = f64> {
     /// alone [rad/s].
     pub pitch_rate: T,
 }
+
+numbers!(WheelMotion: position, roll, yaw, pitch, velocity, roll_rate, yaw_rate, pitch_rate);
+numbers!(RailMotion: y, z, roll, vy, vz, roll_rate, pitch_rate);

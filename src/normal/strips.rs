@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::element_pressure::ElementPressure;
 use crate::friction::StripFriction;
 use crate::math::fixed_vec::FixedVec;
+use crate::math::numbers::{Numbers, numbers};
 use crate::math::real::Real;
 
 /// One loaded zone: a connected part of the contact area.
@@ -38,6 +39,10 @@ pub struct Zone<T = f64> {
     /// Parameter of the contact line at the centroid of the load [m].
     pub u: T,
 }
+
+numbers!(
+    Zone: load, max_pressure, length, width, beyond, area, x, off, y, u; kept first, count
+);
 
 impl<T> Zone<T> {
     /// The indices of its strips.
@@ -85,6 +90,10 @@ pub struct Strips<T = f64> {
     pub elements: Option<Box<ElementPressure>>,
 }
 
+numbers!(
+    Strips: zones, y, width, x, half_length, pressure, u, friction; ..Strips::default()
+);
+
 impl<T: Real> Strips<T> {
     /// Room for `zones` zones of `strips` strips together; nothing is allocated later.
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
@@ -107,43 +116,7 @@ impl<T: Real> Strips<T> {
     where
         T: Into<O>,
     {
-        let column = |own: &FixedVec<T>| {
-            let mut other = FixedVec::new(own.len());
-            other.extend(own.iter().map(|&value| value.into()));
-            other
-        };
-        let mut zones = FixedVec::new(self.zones.len());
-        zones.extend(self.zones.iter().map(|zone| Zone {
-            first: zone.first,
-            count: zone.count,
-            load: zone.load.into(),
-            max_pressure: zone.max_pressure.into(),
-            length: zone.length.into(),
-            width: zone.width.into(),
-            beyond: zone.beyond.map(Into::into),
-            area: zone.area.into(),
-            x: zone.x.into(),
-            off: zone.off.into(),
-            y: zone.y.into(),
-            u: zone.u.into(),
-        }));
-        let mut friction = FixedVec::new(self.friction.len());
-        friction.extend(self.friction.iter().map(|own| StripFriction {
-            tread: own.tread.into(),
-            gauge_face: own.gauge_face.into(),
-            gauge_face_share: own.gauge_face_share.into(),
-        }));
-        Strips {
-            zones,
-            y: column(&self.y),
-            width: column(&self.width),
-            x: column(&self.x),
-            half_length: column(&self.half_length),
-            pressure: column(&self.pressure),
-            u: column(&self.u),
-            friction,
-            elements: None,
-        }
+        self.each(&mut Into::into)
     }
 
     /// Forgets all zones and strips, keeps the room.

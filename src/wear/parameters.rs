@@ -74,16 +74,3 @@ impl WearParameters {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn limits_in_the_wrong_order_are_named() {
-        let mut bad = WearParameters::default();
-        assert_eq!(bad.check(), Ok(()));
-        bad.wheel.usfd.limits = [2.0, 1.0];
-        assert!(bad.check().unwrap_err().to_string().starts_with("wear.wheel.usfd.limit[2] = 1"));
-    }
-}

@@ -9,13 +9,13 @@
 use super::derivatives::Place;
 use super::guiding::{Guiding, guiding};
 use super::rail_frame::RailFrame;
-use super::{Input, LEFT, Output, RIGHT, SIDES, SideInput, Wheelset, on_side};
+use super::{Input, LEFT, Output, RIGHT, SIDES, Wheelset, on_side};
 use crate::element;
 use crate::element::output::Wrench;
 use crate::element::subject::{BySubject, Sweep};
 use crate::error::ContactError;
-use crate::kinematics::motion::WheelMotion;
 use crate::math::dual::Dual;
+use crate::math::numbers::Numbers;
 
 /// Forces on both wheels as directions.
 type OfForces = Dual<6>;
@@ -50,17 +50,14 @@ impl Wheelset {
             }
         }
         let BySubject { input: by_input, sweeps } = found;
-        for n in 0.. {
-            let mut direction = Input::at_rest();
-            let Some(number) = nth(&mut direction, n) else { break };
-            *number = 1.0;
-            let direction = self.turned_direction(input, &direction);
-            let slope = place.slope_along(&direction, weights, sweeps, [0.0; 2])?;
-            if let Some(number) = nth(by_input, n) {
-                *number = slope;
-            }
-        }
         let still = Input::at_rest();
+        let mut count = 0;
+        still.each(&mut |_| count += 1);
+        for n in 0..count {
+            let direction = self.turned_direction(input, &with_nth(&still, n, 1.0));
+            let slope = place.slope_along(&direction, weights, sweeps, [0.0; 2])?;
+            *by_input = with_nth(by_input, n, slope);
+        }
         for k in [RIGHT, LEFT] {
             let mut lifted = [0.0; 2];
             if place.is_loaded {
@@ -114,12 +111,8 @@ impl Place {
             [0, 1, 2].map(|i| OfForces::variable(force[i], 3 * k + i))
         });
         let found = guiding(&forces);
-        let mut sum = found.track_shifting_force * weights.track_shifting_force;
-        for (side, weights) in found.sides.iter().zip(&weights.sides) {
-            sum += side.guiding_force * weights.guiding_force;
-            sum += side.vertical_force * weights.vertical_force;
-            sum += side.quotient * weights.quotient;
-        }
+        let mut sum = OfForces::from(0.0);
+        found.each_with(weights, &mut |force, weight| sum += force * weight);
         sum.slopes
     }
 
@@ -143,35 +136,21 @@ impl Place {
             *found = element::Output { wheel_z: height, ..element::Output::default() };
             Ok(())
         })?;
-        Ok(within_elements.iter().sum::<f64>() + sum_of(&rates, weights))
+        Ok(within_elements.iter().sum::<f64>() + product(&rates, weights))
     }
 }
 
 /// Σ of products of the numbers of both.
-fn product(a: &element::Input, b: &element::Input) -> f64 {
-    a.to_array().iter().zip(b.to_array()).map(|(a, b)| a * b).sum()
+fn product<A: Numbers<f64, Of<f64> = A>>(a: &A, b: &A) -> f64 {
+    let mut sum = 0.0;
+    a.each_with(b, &mut |a, b: f64| sum += a * b);
+    sum
 }
 
-/// Σ weight · rate.
-fn sum_of(rates: &Output, weights: &Output) -> f64 {
-    let wrench = |a: &Wrench, b: &Wrench| -> f64 {
-        let all = a.force.iter().zip(&b.force).chain(a.moment.iter().zip(&b.moment));
-        all.map(|(a, b)| a * b).sum()
-    };
-    let sides = rates.sides.iter().zip(&weights.sides);
-    let guiding = rates.guiding.sides.iter().zip(&weights.guiding.sides).map(|(a, b)| {
-        a.guiding_force * b.guiding_force
-            + a.vertical_force * b.vertical_force
-            + a.quotient * b.quotient
-    });
-    wrench(&rates.wheelset, &weights.wheelset)
-        + sides.map(|(rates, weights)| rates.sum_of(weights)).sum::<f64>()
-        + guiding.sum::<f64>()
-        + rates.guiding.track_shifting_force * weights.guiding.track_shifting_force
-        + rates.wheelset_z * weights.wheelset_z
-        + rates.roll * weights.roll
-        + rates.wear_number * weights.wear_number
-        + rates.frictional_power * weights.frictional_power
+/// The `input` with a `value` for its number at place `n`.
+fn with_nth(input: &Input, n: usize, value: f64) -> Input {
+    let mut places = 0..;
+    input.each(&mut |old| if places.next() == Some(n) { value } else { old })
 }
 
 /// Brings weights from the frame of the track to that of the rails of a side.
@@ -184,36 +163,4 @@ fn bring_in(frame: &RailFrame<f64>, weights: &mut element::Output) {
         let place = Wrench { force: patch.position, ..Wrench::default() };
         patch.position = frame.wrench_within(&place).force;
     }
-}
-
-/// The real number at place `n` of an input.
-fn nth(input: &mut Input, n: usize) -> Option<&mut f64> {
-    let Input { wheelset, sides, track_s, track } = input;
-    let WheelMotion { position, roll, yaw, pitch, velocity, roll_rate, yaw_rate, pitch_rate } =
-        wheelset;
-    let centre = position.iter_mut().chain(velocity);
-    let turns = [roll, yaw, pitch, roll_rate, yaw_rate, pitch_rate, track_s];
-    let track = [&mut track.twist, &mut track.vertical_curvature, &mut track.curvature];
-    centre.chain(turns).chain(track).chain(sides.iter_mut().flat_map(of_side)).nth(n)
-}
-
-/// The real numbers of a side.
-fn of_side(side: &mut SideInput) -> impl Iterator<Item = &mut f64> {
-    let SideInput {
-        rails,
-        wheel_load,
-        friction,
-        tread_friction,
-        gauge_face_friction,
-        line,
-        own_pitch,
-        own_pitch_rate,
-    } = side;
-    let rails = rails.iter_mut().flat_map(|rail| {
-        let element::input::RailMotion { y, z, roll, vy, vz, roll_rate, pitch_rate } = rail;
-        [y, z, roll, vy, vz, roll_rate, pitch_rate]
-    });
-    let friction = [wheel_load, friction, tread_friction, gauge_face_friction];
-    let line = [&mut line.y, &mut line.z, &mut line.y_slope, &mut line.z_slope];
-    rails.chain(friction).chain(line).chain([own_pitch, own_pitch_rate])
 }

@@ -1,15 +1,15 @@
 //! Derivatives of the outputs of a wheelset by its inputs, from those of its wheels.
 
-use super::guiding::Guiding;
 use super::rail_frame::RailFrame;
-use super::track::{RailLine, TrackTurn};
-use super::{Input, LEFT, Output, RIGHT, SIDES, SideForces, Wheelset, guiding, on_side, total};
+use super::track::TrackTurn;
+use super::{Input, LEFT, Output, RIGHT, SIDES, Wheelset, guiding, on_side, total};
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
 use crate::element::{self, Element};
 use crate::error::ContactError;
 use crate::kinematics::motion::WheelMotion;
 use crate::math::dual::Dual;
+use crate::math::numbers::Numbers;
 
 /// Motion of a wheelset with its rates.
 type Moving = WheelMotion<Dual<1>>;
@@ -116,13 +116,13 @@ impl Place {
             motion = self.follow_loads(&mut direction, &mut found, sides)?;
         }
         let mut total = Wrench::<Dual<1>>::default();
-        let wrenches =
-            [RIGHT, LEFT].map(|k| moving(&self.at.sides[k].wheel, &found.sides[k].wheel));
+        let wrenches = [RIGHT, LEFT]
+            .map(|k| self.at.sides[k].wheel.each_with(&found.sides[k].wheel, &mut number));
         for (along, wrench) in self.markers.iter().zip(&wrenches) {
             total::add(&mut total, &motion, *along, wrench);
         }
-        found.wheelset = rates_of_wrench(&total);
-        found.guiding = rates_of_guiding(&guiding(&wrenches.map(|wrench| wrench.force)));
+        found.wheelset = total.each(&mut rate);
+        found.guiding = guiding(&wrenches.map(|wrench| wrench.force)).each(&mut rate);
         let [right, left] = &found.sides;
         found.wear_number = right.wear_number + left.wear_number;
         found.frictional_power = right.frictional_power + left.frictional_power;
@@ -158,29 +158,26 @@ impl Place {
         rates: &mut [element::Output; 2],
         sides: &mut impl SideRates,
     ) -> Result<Moving, ContactError> {
-        let input = &self.input;
-        let motion = with_rates(&input.wheelset, &direction.wheelset);
-        let turn = turn_with_rates(&input.track, &direction.track);
-        let against_ground = turn.against_ground(&motion);
+        let moving = self.input.each_with(direction, &mut number);
+        let Input { wheelset: motion, track, .. } = &moving;
+        let against_ground = track.against_ground(motion);
         for k in [RIGHT, LEFT] {
-            let along = self.markers[k];
-            let (own, rate) = (&input.sides[k], &direction.sides[k]);
+            let (along, own) = (self.markers[k], &moving.sides[k]);
             let mut marker = against_ground.along_axle(along);
-            marker.pitch += number(own.own_pitch, rate.own_pitch);
-            marker.pitch_rate += number(own.own_pitch_rate, rate.own_pitch_rate);
+            marker.pitch += own.own_pitch;
+            marker.pitch_rate += own.own_pitch_rate;
             let height = marker.position[2];
-            let line = line_with_rates(&own.line, &rate.line);
-            let frame = RailFrame::new(&line, &turn, motion.position[0], along);
+            let frame = RailFrame::new(&own.line, track, motion.position[0], along);
             marker = frame.motion(&marker);
-            let side = input.of_side(k, along);
+            let side = self.input.of_side(k, along);
             let within = element::Input {
-                wheel: rates_of(&marker),
-                ..rate.with(direction.wheelset, direction.track_s)
+                wheel: marker.each(&mut rate),
+                ..direction.sides[k].with(direction.wheelset, direction.track_s)
             };
             sides(k, &side, &within, &mut rates[k]).map_err(|error| on_side(error, SIDES[k]))?;
             bring_out(&frame, [height, marker.position[2]], &self.at.sides[k], &mut rates[k]);
         }
-        Ok(motion)
+        Ok(*motion)
     }
 
     /// Rate of the roll at which the heights of both wheels go on to fit the axle.
@@ -218,11 +215,9 @@ fn bring_out(
     rates: &mut element::Output,
 ) {
     let wrench = |at: &Wrench, rates: &Wrench| {
-        let constant = moving(at, &Wrench::default());
-        let inside = frame.wrench_within(&constant);
-        let value = |x: Dual<1>| x.value;
-        let inside = Wrench { force: inside.force.map(value), moment: inside.moment.map(value) };
-        rates_of_wrench(&frame.wrench(&moving(&inside, rates)))
+        let inside = frame.wrench_within(&at.each(&mut Dual::from));
+        let moving = inside.each_with(rates, &mut |at, rate| number(at.value, rate));
+        frame.wrench(&moving).each(&mut rate)
     };
     rates.wheel = wrench(&at.wheel, &rates.wheel);
     for (rail, at) in rates.rails.iter_mut().zip(&at.rails) {
@@ -231,84 +226,16 @@ fn bring_out(
     let height = frame.height_within(within, [z, Dual::from(at.wheel_z)]).value;
     rates.wheel_z = frame.height(z, [within, number(height, rates.wheel_z)]).slopes[0];
     for (patch, at) in rates.patches.iter_mut().zip(&at.patches).filter(|(_, at)| at.rail > 0) {
-        let inside = frame.place_within(at.position.map(Dual::from)).map(|x| x.value);
-        let place = [0, 1, 2].map(|i| number(inside[i], patch.position[i]));
-        patch.position = frame.place(place).map(|x| x.slopes[0]);
+        let inside = frame.place_within(at.position.map(Dual::from));
+        let place = inside.each_with(&patch.position, &mut |at, rate| number(at.value, rate));
+        patch.position = frame.place(place).map(rate);
     }
-}
-
-fn rates_of_wrench(wrench: &Wrench<Dual<1>>) -> Wrench {
-    let rate = |x: Dual<1>| x.slopes[0];
-    Wrench { force: wrench.force.map(rate), moment: wrench.moment.map(rate) }
 }
 
 fn number(value: f64, rate: f64) -> Dual<1> {
     Dual { value, slopes: [rate] }
 }
 
-fn turn_with_rates(at: &TrackTurn, rates: &TrackTurn) -> TrackTurn<Dual<1>> {
-    TrackTurn {
-        twist: number(at.twist, rates.twist),
-        vertical_curvature: number(at.vertical_curvature, rates.vertical_curvature),
-        curvature: number(at.curvature, rates.curvature),
-    }
-}
-
-fn line_with_rates(at: &RailLine, rates: &RailLine) -> RailLine<Dual<1>> {
-    RailLine {
-        y: number(at.y, rates.y),
-        z: number(at.z, rates.z),
-        y_slope: number(at.y_slope, rates.y_slope),
-        z_slope: number(at.z_slope, rates.z_slope),
-    }
-}
-
-fn rates_of_guiding(guiding: &Guiding<Dual<1>>) -> Guiding {
-    let rate = |x: Dual<1>| x.slopes[0];
-    Guiding {
-        sides: guiding.sides.map(|side| SideForces {
-            guiding_force: rate(side.guiding_force),
-            vertical_force: rate(side.vertical_force),
-            quotient: rate(side.quotient),
-        }),
-        track_shifting_force: rate(guiding.track_shifting_force),
-    }
-}
-
-/// A motion with rates.
-fn with_rates(at: &WheelMotion, rates: &WheelMotion) -> Moving {
-    let vector = |value: [f64; 3], rate: [f64; 3]| [0, 1, 2].map(|i| number(value[i], rate[i]));
-    Moving {
-        position: vector(at.position, rates.position),
-        roll: number(at.roll, rates.roll),
-        yaw: number(at.yaw, rates.yaw),
-        pitch: number(at.pitch, rates.pitch),
-        velocity: vector(at.velocity, rates.velocity),
-        roll_rate: number(at.roll_rate, rates.roll_rate),
-        yaw_rate: number(at.yaw_rate, rates.yaw_rate),
-        pitch_rate: number(at.pitch_rate, rates.pitch_rate),
-    }
-}
-
-/// The rates of a motion.
-fn rates_of(motion: &Moving) -> WheelMotion {
-    let rate = |x: Dual<1>| x.slopes[0];
-    WheelMotion {
-        position: motion.position.map(rate),
-        roll: rate(motion.roll),
-        yaw: rate(motion.yaw),
-        pitch: rate(motion.pitch),
-        velocity: motion.velocity.map(rate),
-        roll_rate: rate(motion.roll_rate),
-        yaw_rate: rate(motion.yaw_rate),
-        pitch_rate: rate(motion.pitch_rate),
-    }
-}
-
-/// A force and moment with rates.
-fn moving(at: &Wrench, rates: &Wrench) -> Wrench<Dual<1>> {
-    let with = |value: &[f64; 3], rate: &[f64; 3]| {
-        [0, 1, 2].map(|i| Dual { value: value[i], slopes: [rate[i]] })
-    };
-    Wrench { force: with(&at.force, &rates.force), moment: with(&at.moment, &rates.moment) }
+fn rate(number: Dual<1>) -> f64 {
+    number.slopes[0]
 }

@@ -2,6 +2,7 @@
 //! of Y).
 
 use super::sides::{LEFT, RIGHT};
+use crate::math::numbers::numbers;
 use crate::math::real::Real;
 
 /// Forces between one wheel and its rails.
@@ -25,6 +26,9 @@ pub struct Guiding<T = f64> {
     /// Sum of Y: lateral force of the wheelset on the track, positive to the right [N].
     pub track_shifting_force: T,
 }
+
+numbers!(SideForces: guiding_force, vertical_force, quotient);
+numbers!(Guiding: sides, track_shifting_force);
 
 /// Of the `forces` (x, y, z) on both wheels in the track frame, right first.
 pub(super) fn guiding<T: Real>(forces: &[[T; 3]; 2]) -> Guiding<T> {

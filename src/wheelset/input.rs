@@ -7,86 +7,67 @@ use crate::element;
 use crate::element::input::{RailMotion, WheelMotion};
 use crate::element::parameters::RAILS;
 use crate::error::ContactError;
+use crate::math::numbers::{Numbers, numbers};
 
 /// All inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Input {
+pub struct Input<T = f64> {
     /// Motion of the centre of the wheelset, midway between the wheel markers, in the track frame,
     /// which goes along the track with its velocity along x.
-    pub wheelset: WheelMotion,
+    pub wheelset: WheelMotion<T>,
     /// What is under the right wheel and under the left one.
-    pub sides: [SideInput; 2],
+    pub sides: [SideInput<T>; 2],
     /// Station along the track [m].
-    pub track_s: f64,
+    pub track_s: T,
     /// How the track frame turns along the track.
-    pub track: TrackTurn,
+    pub track: TrackTurn<T>,
 }
 
 /// Rails and friction of one side; values are those of the real side in the track frame, not
 /// mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SideInput {
+pub struct SideInput<T = f64> {
     /// The rails, `rail[1]` first.
-    pub rails: [RailMotion; RAILS],
+    pub rails: [RailMotion<T>; RAILS],
     /// Vertical force of the wheel on its rails together, down, if the loads are given and not
     /// height and roll [N].
-    pub wheel_load: f64,
+    pub wheel_load: T,
     /// Coefficient of friction where it is the same everywhere, ≥ 0 [-].
-    pub friction: f64,
+    pub friction: T,
     /// Coefficient of friction of the tread of the rails where they have regions, ≥ 0 [-].
-    pub tread_friction: f64,
+    pub tread_friction: T,
     /// Coefficient of friction of their gauge faces, ≥ 0 [-].
-    pub gauge_face_friction: f64,
+    pub gauge_face_friction: T,
     /// Where the rails lie beside their design line.
-    pub line: RailLine,
+    pub line: RailLine<T>,
     /// Pitch angle of the wheel against that of the wheelset, of wheels that turn by themselves
     /// [rad].
-    pub own_pitch: f64,
+    pub own_pitch: T,
     /// Pitch rate of the wheel against that of the wheelset [rad/s].
-    pub own_pitch_rate: f64,
+    pub own_pitch_rate: T,
 }
 
-impl SideInput {
-    /// What of the input of a wheel is of its side.
-    fn of(input: &element::Input) -> Self {
-        let &element::Input {
-            rails,
-            wheel_load,
-            friction,
-            tread_friction,
-            gauge_face_friction,
-            ..
-        } = input;
-        let (line, own_pitch, own_pitch_rate) = (RailLine::default(), 0.0, 0.0);
-        Self {
-            rails,
-            wheel_load,
-            friction,
-            tread_friction,
-            gauge_face_friction,
-            line,
-            own_pitch,
-            own_pitch_rate,
-        }
-    }
+numbers!(Input: wheelset, sides, track_s, track);
+numbers!(
+    SideInput: rails, wheel_load, friction, tread_friction, gauge_face_friction, line, own_pitch,
+    own_pitch_rate
+);
 
+impl SideInput {
     /// The input of an element with a `wheel` of this side.
     pub(super) fn with(&self, wheel: WheelMotion, track_s: f64) -> element::Input {
-        let &Self { rails, wheel_load, friction, tread_friction, gauge_face_friction, .. } = self;
         element::Input {
             wheel,
-            wheel_load,
-            rails,
+            wheel_load: self.wheel_load,
+            rails: self.rails,
             track_s,
-            friction,
-            tread_friction,
-            gauge_face_friction,
-            ..element::Input::at_rest()
+            friction: self.friction,
+            tread_friction: self.tread_friction,
+            gauge_face_friction: self.gauge_face_friction,
+            ..element::Input::default()
         }
     }
-}
 
-impl SideInput {
     /// # Errors
     /// What is not in its range of what an element has not, by its name on a `side`.
     fn check(&self, side: &str) -> Result<(), ContactError> {
@@ -108,9 +89,19 @@ impl Default for Input {
     fn default() -> Self {
         let input = element::Input::default();
         let [x, _, z] = input.wheel.position;
+        let side = SideInput {
+            rails: input.rails,
+            wheel_load: input.wheel_load,
+            friction: input.friction,
+            tread_friction: input.tread_friction,
+            gauge_face_friction: input.gauge_face_friction,
+            line: RailLine::default(),
+            own_pitch: 0.0,
+            own_pitch_rate: 0.0,
+        };
         Self {
             wheelset: WheelMotion { position: [x, 0.0, z], ..input.wheel },
-            sides: [SideInput::of(&input); 2],
+            sides: [side; 2],
             track_s: input.track_s,
             track: TrackTurn::default(),
         }
@@ -120,10 +111,7 @@ impl Default for Input {
 impl Input {
     /// All numbers zero: no rates.
     pub fn at_rest() -> Self {
-        let input = element::Input::at_rest();
-        let sides = [SideInput::of(&input); 2];
-        let track = TrackTurn::default();
-        Self { wheelset: input.wheel, sides, track_s: input.track_s, track }
+        Self::default().each(&mut |_| 0.0)
     }
 
     /// The input of the element on one side, whose marker is `along` [m] to the right of the

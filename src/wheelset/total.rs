@@ -37,34 +37,3 @@ pub fn bring_out<T: Real>(frame: &RailFrame<T>, [z, within]: [T; 2], output: &mu
         patch.position = frame.place(patch.position);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn power_of_the_total_is_that_of_the_parts() {
-        let motion = WheelMotion {
-            position: [0.1, 0.004, -0.459],
-            roll: 0.02,
-            yaw: -0.03,
-            pitch: 0.7,
-            velocity: [20.0, 0.3, -0.2],
-            roll_rate: 0.4,
-            yaw_rate: -0.7,
-            pitch_rate: -43.0,
-        };
-        // F · V + M · ω at a marker and at the centre.
-        let wrench = Wrench { force: [1.0, -2.0, -50.0], moment: [0.3, 0.5, -0.2] };
-        let power = |wrench: &Wrench, velocity: [f64; 3]| {
-            Vector3::from(wrench.force).dot(&Vector3::from(velocity))
-                + Vector3::from(wrench.moment).dot(&motion.angular_velocity())
-        };
-        let mut total = Wrench::default();
-        add(&mut total, &motion, 0.75, &wrench);
-        let marker = motion.along_axle(0.75);
-        let (at_marker, at_centre) =
-            (power(&wrench, marker.velocity), power(&total, motion.velocity));
-        approx::assert_relative_eq!(at_marker, at_centre, max_relative = 1e-13);
-    }
-}

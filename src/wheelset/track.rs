@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use crate::error::ContactError;
 use crate::kinematics::motion::WheelMotion;
+use crate::math::numbers::{Numbers, numbers};
 use crate::math::real::Real;
 
 /// Greatest turn of the track frame over a length [rad/m]: no wheelset passes a radius of 10 m.
@@ -45,6 +46,9 @@ pub struct RailLine<T = f64> {
     pub z_slope: T,
 }
 
+numbers!(TrackTurn: twist, vertical_curvature, curvature);
+numbers!(RailLine: y, z, y_slope, z_slope);
+
 impl<T: Real> TrackTurn<T> {
     /// The motion of a body against the ground, in the axes of the track frame, from that
     /// `in_track`, whose velocity along x is that of the track frame along the track.
@@ -75,10 +79,7 @@ impl<T: Real> TrackTurn<T> {
 
 impl std::ops::AddAssign for RailLine {
     fn add_assign(&mut self, other: Self) {
-        self.y += other.y;
-        self.z += other.z;
-        self.y_slope += other.y_slope;
-        self.z_slope += other.z_slope;
+        *self = self.each_with(&other, &mut |own, other: f64| own + other);
     }
 }
 

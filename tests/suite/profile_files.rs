@@ -94,7 +94,11 @@ fn files_with_peculiarities_give_the_profile_that_is_meant() {
             &["no point", "no point"],
         ),
         ("metres.txt", metres, &["read in metres"]),
-        ("no_units.prr", simpack(0, "", &body), &["read in millimetres"]),
+        (
+            "no_units.prr",
+            simpack(0, "", &body),
+            &["read in millimetres, in which it has the size of a profile; set units.len.f to"],
+        ),
         ("zigzag.txt", lines(&zigzag), &["doubles back"]),
         ("up.txt", lines(&scaled(&rail, 1.0, -1.0)), &["mirrored in z"]),
         ("reversed.txt", lines(&rail.iter().rev().copied().collect::<Vec<_>>()), &[]),
@@ -137,6 +141,7 @@ fn rollers_and_grooves_are_profiles() {
     let wheel =
         read("ball.prw", &simpack(1, "units.len.f = 1000.", &lines(&ball)), ProfileKind::Wheel);
     assert!(warnings(&wheel).is_empty(), "{:?}", wheel.remarks);
+    approx::assert_abs_diff_eq!(wheel.bounds().z[1], 0.0, epsilon = 1e-6);
     let groove: Vec<[f64; 2]> = (-200..=200)
         .map(|i| 0.1 * f64::from(i))
         .map(|y: f64| [y, -10.02 + (10.02 * 10.02 - y * y).max(0.0).sqrt()])

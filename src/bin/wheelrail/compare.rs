@@ -85,7 +85,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         add_to_lines(&mut lines, header, &inputs, written, &compared);
         written += 1;
         summary.add(&compared);
-        progress.inc(1);
         Ok(())
     };
     let mut own_models: Vec<String>;
@@ -95,6 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let all = planar.cases.iter().map(|case| planar.planar(case));
         own_models = all.map(|c| models::names(c.normal_model, c.tangential_model)).collect();
         batch::in_order(
+            &progress,
             planar.cases.iter().map(Ok),
             cores,
             || (),
@@ -111,6 +111,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             parameters.map(|p| models::names(p.normal_model, p.tangential_model)).collect();
         let folder = header.folder();
         batch::in_order(
+            &progress,
             all.iter().map(Ok),
             cores,
             || (),
@@ -124,7 +125,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             &mut done,
         )
     };
-    progress.finish_and_clear();
     remarks.count();
     table.complete(result)?;
     if let Some(path) = &arguments.summary {

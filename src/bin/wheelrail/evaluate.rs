@@ -67,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut header_due = true;
     let mut remarks = Remarks::default();
     let result = batch::in_order(
+        &progress,
         reader,
         batch::all_cores(),
         || (Evaluator::new(folder.clone()), files.clone()),
@@ -87,12 +88,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             if std::mem::take(&mut header_due) {
                 table.write_line(head.as_bytes())?;
             }
-            table.write_line(line.as_bytes())?;
-            progress.inc(1);
-            Ok(())
+            table.write_line(line.as_bytes())
         },
     );
-    progress.finish_and_clear();
     remarks.count();
     table.complete(result)
 }

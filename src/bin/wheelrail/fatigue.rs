@@ -6,13 +6,13 @@ pub mod contacts;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use wheelrail::fatigue::{FatigueMap, Strength};
-use wheelrail::subsurface::Body;
 
 use crate::cases::{Cases, Row};
 use crate::element_rows::{placed, read_values};
 use crate::figures::fatigue::{Figure, Mapped};
+use crate::options::Of;
 use crate::planar_cases::PlanarCases;
 use crate::{batch, output};
 use body_profile::BodyProfile;
@@ -79,13 +79,6 @@ pub struct Arguments {
     endurance: Option<f64>,
 }
 
-/// The body asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Of {
-    Rail,
-    Wheel,
-}
-
 /// Most places of a map along either axis.
 const MOST_PLACES: f64 = 2000.0;
 
@@ -98,13 +91,6 @@ impl Arguments {
         strength.endurance = self.endurance.map(|stress| 1e6 * stress);
         strength.check().context("--shear-yield, --dang-van, --residual, --endurance")?;
         Ok(strength)
-    }
-
-    fn body(&self) -> Body {
-        match self.body {
-            Of::Rail => Body::Rail,
-            Of::Wheel => Body::Wheel,
-        }
     }
 
     fn check(&self) -> Result<()> {
@@ -159,20 +145,19 @@ fn planar(arguments: &Arguments, cases: &Cases, strength: &Strength) -> Result<V
     let progress = output::progress(Some(problems.cases.len()), None)?;
     let mut found = Vec::new();
     let result = batch::in_order(
+        &progress,
         problems.cases.iter().enumerate().map(Ok),
         batch::all_cores(),
         || (),
         |(), (row, case)| {
-            of_planar(row + 1, &problems.planar(case), arguments.body(), strength)
+            of_planar(row + 1, &problems.planar(case), arguments.body.body(), strength)
                 .context(case.place.clone())
         },
         |own| {
             found.extend(own);
-            progress.inc(1);
             Ok(())
         },
     );
-    progress.finish_and_clear();
     result.map(|()| found)
 }
 
@@ -203,19 +188,20 @@ fn on_rails(
     let progress = output::progress(Some(all.len()), None)?;
     let mut found = Vec::new();
     let result = batch::in_order(
+        &progress,
         all.iter().enumerate().map(Ok),
         batch::all_cores(),
         || (),
         |(), (number, (row, values))| {
-            let own = at_wheel(number + 1, values, arguments.body(), strength, &folder).map_err(
-                |error| match error.downcast() {
+            let own = at_wheel(number + 1, values, arguments.body.body(), strength, &folder)
+                .map_err(|error| match error.downcast() {
                     Ok(refused) => placed(refused, row),
                     Err(other) => other.context(row.place()),
-                },
-            )?;
+                })?;
             let mapped = own.iter().filter(|own| rail.is_none_or(|rail| own.rail == rail));
-            let passed: Vec<_> =
-                mapped.map(|own| empty.passage(&own.load, own.arc(arguments.body()))).collect();
+            let passed: Vec<_> = mapped
+                .map(|own| empty.passage(&own.load, own.arc(arguments.body.body())))
+                .collect();
             Ok((number, own, passed))
         },
         |(number, own, passed)| {
@@ -223,11 +209,9 @@ fn on_rails(
                 map.add(passage, counts[number])?;
             }
             found.extend(own);
-            progress.inc(1);
             Ok(())
         },
     );
-    progress.finish_and_clear();
     result.map(|()| (found, Some((map, profile))))
 }
 

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
+use wheelrail::subsurface::Body;
 use wheelrail::variables::{Causality, Values, find};
 
 /// Where the commands on tables read and write; its help is shown with theirs.
@@ -15,6 +16,23 @@ pub struct TableFiles {
     /// File for the results, CSV; without it standard output
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// The body asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Of {
+    Rail,
+    Wheel,
+}
+
+impl Of {
+    /// The same of stresses.
+    pub fn body(self) -> Body {
+        match self {
+            Self::Rail => Body::Rail,
+            Self::Wheel => Body::Wheel,
+        }
+    }
 }
 
 /// What touches what; its help is shown with that of the commands that run a wheelset.

@@ -8,7 +8,7 @@ use crate::batch;
 use crate::cases::Cases;
 use crate::options::TableFiles;
 use crate::output;
-use crate::planar_cases::{Case, PlanarCases, timed};
+use crate::planar_cases::{Case, PlanarCases, contact_cells, timed};
 
 /// Solve planar contact problems, one for every row of a table
 ///
@@ -50,34 +50,19 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     // Times of fast models are those of a machine that does nothing else.
     let slow = planar.cases.iter().any(Case::is_slow);
     let result = batch::in_order(
+        &progress,
         planar.cases.iter().map(Ok),
         if slow { batch::all_cores() } else { 1 },
         || (),
         |(), case| timed(&planar.planar(case), case.is_slow()).context(case.place.clone()),
-        |(result, time)| {
-            table.write_named(&cells(&result, time))?;
-            progress.inc(1);
-            Ok(())
-        },
+        |(result, time)| table.write_named(&cells(&result, time)),
     );
-    progress.finish_and_clear();
     table.complete(result)
 }
 
-fn cells(result: &PlanarResult, time: f64) -> [(&'static str, String); 11] {
-    let number = |value: f64| format!("{value:?}");
-    [
-        ("normal_force_n", number(result.normal_force)),
-        ("max_pressure_mpa", number(1e-6 * result.max_pressure)),
-        ("area_mm2", number(1e6 * result.area)),
-        ("length_mm", number(1e3 * result.length)),
-        ("width_mm", number(1e3 * result.width)),
-        ("fx_n", number(result.fx)),
-        ("fy_n", number(result.fy)),
-        ("mz_nmm", number(1e3 * result.mz)),
-        ("patches", result.patches.to_string()),
-        // A number like all other columns.
-        ("fallback", u8::from(result.fallback).to_string()),
-        ("time_us", format!("{:.2}", 1e6 * time)),
-    ]
+fn cells(result: &PlanarResult, time: f64) -> Vec<(&'static str, String)> {
+    // A fallback is a number like all other columns.
+    let fallback = ("fallback", u8::from(result.fallback).to_string());
+    let time = ("time_us", format!("{:.2}", 1e6 * time));
+    contact_cells(result).into_iter().chain([fallback, time]).collect()
 }

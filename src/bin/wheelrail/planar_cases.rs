@@ -8,13 +8,29 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use wheelrail::planar::PlanarCase;
+use wheelrail::planar::{PlanarCase, PlanarResult};
 
 pub use columns::Case;
 pub use timed::timed;
 
 use crate::cases::Cases;
 use crate::output;
+
+/// Force, size and number of contacts as cells of a result, with the names of their columns.
+pub fn contact_cells(found: &PlanarResult) -> [(&'static str, String); 9] {
+    let number = |value: f64| format!("{value:?}");
+    [
+        ("normal_force_n", number(found.normal_force)),
+        ("max_pressure_mpa", number(1e-6 * found.max_pressure)),
+        ("area_mm2", number(1e6 * found.area)),
+        ("length_mm", number(1e3 * found.length)),
+        ("width_mm", number(1e3 * found.width)),
+        ("fx_n", number(found.fx)),
+        ("fy_n", number(found.fy)),
+        ("mz_nmm", number(1e3 * found.mz)),
+        ("patches", found.patches.to_string()),
+    ]
+}
 
 /// All cases of a table with their separations.
 pub struct PlanarCases {

@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use wheelrail::planar::PlanarCase;
-use wheelrail::subsurface::{Body, Measure, SurfaceLoad};
+use wheelrail::subsurface::{Measure, SurfaceLoad};
 
 use crate::cases::Cases;
 use crate::element_rows::{placed, read_values};
 use crate::figures::stress::{Figure, Section};
+use crate::options::Of;
 use crate::planar_cases::PlanarCases;
 use crate::{models, output, plot};
 
@@ -53,13 +54,6 @@ pub struct Arguments {
     points: Option<PathBuf>,
 }
 
-/// The body asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Of {
-    Rail,
-    Wheel,
-}
-
 /// Writes the greatest stresses and draws them.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Arguments { cases: path, row, output: figure, points, .. } = arguments;
@@ -89,11 +83,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 fn stresses(arguments: &Arguments, case: &PlanarCase<'_>, contact: &str) -> Result<()> {
-    let (body, name) = match arguments.body {
-        Of::Rail => (Body::Rail, "rail"),
-        Of::Wheel => (Body::Wheel, "wheel"),
-    };
-    let load = SurfaceLoad::below(case, body)?;
+    let name = if arguments.body == Of::Rail { "rail" } else { "wheel" };
+    let load = SurfaceLoad::below(case, arguments.body.body())?;
     let title = format!(
         "Stresses below the surface of the {name}: {contact}, {}",
         models::names(case.normal_model, case.tangential_model)

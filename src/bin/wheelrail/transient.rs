@@ -7,7 +7,7 @@ use wheelrail::planar::{StepMotion, TransientContact, TransientResult};
 use crate::cases::{Cases, Row};
 use crate::options::TableFiles;
 use crate::output;
-use crate::planar_cases::PlanarCases;
+use crate::planar_cases::{PlanarCases, contact_cells};
 
 /// Columns of the motion, besides those of planar cases.
 const MOTION: [&str; 7] = [
@@ -110,22 +110,11 @@ fn motion(row: &Row) -> Result<(StepMotion, usize)> {
     Ok((motion, steps as usize))
 }
 
-fn cells(row: usize, distance: f64, found: &TransientResult) -> [(&'static str, String); 18] {
+fn cells(row: usize, distance: f64, found: &TransientResult) -> Vec<(&'static str, String)> {
     let number = |value: f64| format!("{value:?}");
-    let contact = &found.contact;
     let [x, y, turn] = found.displacement;
-    [
-        ("row", row.to_string()),
-        ("distance_mm", number(1e3 * distance)),
-        ("normal_force_n", number(contact.normal_force)),
-        ("max_pressure_mpa", number(1e-6 * contact.max_pressure)),
-        ("area_mm2", number(1e6 * contact.area)),
-        ("length_mm", number(1e3 * contact.length)),
-        ("width_mm", number(1e3 * contact.width)),
-        ("fx_n", number(contact.fx)),
-        ("fy_n", number(contact.fy)),
-        ("mz_nmm", number(1e3 * contact.mz)),
-        ("patches", contact.patches.to_string()),
+    let place = [("row", row.to_string()), ("distance_mm", number(1e3 * distance))];
+    let step = [
         ("displacement_x_mm", number(1e3 * x)),
         ("displacement_y_mm", number(1e3 * y)),
         ("turn_rad", number(turn)),
@@ -133,5 +122,6 @@ fn cells(row: usize, distance: f64, found: &TransientResult) -> [(&'static str, 
         ("substeps", found.substeps.to_string()),
         ("sweeps", found.sweeps.to_string()),
         ("converged", u8::from(found.converged).to_string()),
-    ]
+    ];
+    place.into_iter().chain(contact_cells(&found.contact)).chain(step).collect()
 }

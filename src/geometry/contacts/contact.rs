@@ -1,5 +1,6 @@
 //! A contact of wheel and rail: the place of first touch and the frame there.
 
+use crate::math::numbers::{Numbers, numbers};
 use crate::math::real::Real;
 
 /// One patch: where wheel and rail touch first and the frame there.
@@ -20,17 +21,12 @@ pub struct Contact<T = f64> {
     pub probes: [usize; 2],
 }
 
+numbers!(Contact: u, rail_s, penetration, origin, tangent; kept probes);
+
 impl<T: Real> Contact<T> {
     /// The same without derivatives.
     pub fn value(&self) -> Contact {
-        Contact {
-            u: self.u.value(),
-            rail_s: self.rail_s.value(),
-            penetration: self.penetration.value(),
-            origin: self.origin.map(T::value),
-            tangent: self.tangent.map(T::value),
-            probes: self.probes,
-        }
+        self.each(&mut T::value)
     }
 
     /// Unit vector (y, z) of the frame's normal, into the rail.

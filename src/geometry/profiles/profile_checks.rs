@@ -290,17 +290,6 @@ mod tests {
     }
 
     #[test]
-    fn a_roller_that_bends_away_on_both_sides_is_a_wheel() {
-        let roller: Vec<[f64; 2]> = (-490..=490)
-            .map(|i| 1e-4 * f64::from(i))
-            .map(|y| [y, (0.05f64.powi(2) - y * y).sqrt() - 0.05])
-            .collect();
-        let profile = points_of(&roller).into_profile(WHEEL, 0.0).unwrap();
-        assert!(profile.remarks.is_empty(), "{:?}", profile.remarks);
-        approx::assert_relative_eq!(profile.bounds().z[1], 0.0, epsilon = 1e-9);
-    }
-
-    #[test]
     fn a_wheel_without_flange_needs_none_but_needs_its_nominal_rolling_circle() {
         let points = sampled("conical:0.05", WHEEL, 1e-3);
         assert!(points_of(&points).into_profile(WHEEL, 0.0).is_ok());

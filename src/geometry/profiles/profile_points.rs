@@ -13,7 +13,7 @@ pub(crate) struct FilePoint {
 }
 
 /// Advice in the terms of a file format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Remedies {
     /// How to state the unit of length.
     pub units: &'static str,
@@ -26,7 +26,7 @@ pub(crate) struct Remedies {
 /// What a reader has found in a file: y to the field side, z down [m].
 // Each is a fact by itself: what the file states is not guessed.
 #[allow(clippy::struct_excessive_bools)]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ProfilePoints {
     /// The file, for messages.
     pub file: String,
@@ -80,15 +80,8 @@ pub(crate) mod tests {
         ProfilePoints {
             file: "file.txt".into(),
             points: (1..).zip(points).map(|(line, &point)| FilePoint { point, line }).collect(),
-            last_digit: 0.0,
-            unit_is_stated: false,
-            direction_is_stated: false,
-            side_is_stated: false,
-            origin_is_stated: false,
-            is_measured_rail: false,
-            smoothing: None,
             remedies: REMEDIES,
-            remarks: Vec::new(),
+            ..ProfilePoints::default()
         }
     }
 

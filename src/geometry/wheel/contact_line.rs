@@ -24,6 +24,7 @@ pub mod surface;
 use crate::geometry::curves::curve::{Curve, CurvePoint};
 use crate::geometry::wheel::varying_wheel::VaryingWheel;
 pub use crate::geometry::wheel::wheel_pose::WheelPose;
+use crate::math::numbers::{Numbers, numbers};
 use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of
@@ -63,6 +64,10 @@ pub struct ContactLine<'a, T = f64> {
     /// takes its place.
     around: Option<&'a VaryingWheel>,
 }
+
+numbers!(
+    ContactLine<'a>: marker, axle, cosine, lead, ahead, down; kept profile, nominal_radius, around
+);
 
 /// The point of a rolling circle that belongs to the line.
 struct OnCircle<T> {
@@ -349,35 +354,14 @@ impl<'a, T: Real> ContactLine<'a, T> {
 
     /// The same line without derivatives.
     pub fn value(&self) -> ContactLine<'a> {
-        let value = |x: T| x.value();
-        ContactLine {
-            profile: self.profile,
-            nominal_radius: self.nominal_radius,
-            marker: self.marker.map(value),
-            axle: self.axle.map(value),
-            cosine: self.cosine.value(),
-            lead: self.lead.value(),
-            ahead: self.ahead.map(value),
-            down: self.down.map(value),
-            around: self.around,
-        }
+        self.each(&mut T::value)
     }
 }
 
 impl<'a> ContactLine<'a> {
     /// The same line in other numbers, which do not move.
     pub fn fixed<T: Real>(&self) -> ContactLine<'a, T> {
-        ContactLine {
-            profile: self.profile,
-            nominal_radius: self.nominal_radius,
-            marker: self.marker.map(T::from),
-            axle: self.axle.map(T::from),
-            cosine: self.cosine.into(),
-            lead: self.lead.into(),
-            ahead: self.ahead.map(T::from),
-            down: self.down.map(T::from),
-            around: self.around,
-        }
+        self.each(&mut T::from)
     }
 
     /// What the profile at `p` contributes to the length of the line per parameter beyond one,

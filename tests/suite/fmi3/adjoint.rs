@@ -4,6 +4,7 @@ use wheelrail::fmi::v2::types::{Status, ValueReference};
 use wheelrail::fmi::v3::*;
 use wheelrail::variables::{WHEEL, WHEELSET};
 
+use super::derivatives::derivatives;
 use crate::allocations;
 use crate::host3::Host3;
 use crate::tolerance;
@@ -40,24 +41,8 @@ fn backwards(
 
 /// Derivatives of unknowns with `count` elements in all by one known.
 fn forwards((host, unknowns, _): Asked, known: &str, count: usize) -> Vec<f64> {
-    let unknowns: Vec<ValueReference> = unknowns.iter().map(|n| host.reference(n)).collect();
-    let (known, seed, mut found) = (host.reference(known), 1.0, vec![f64::NAN; count]);
-    // SAFETY: FMI 3.0, 2.2.11: all arrays hold as many elements as their counts say.
-    let status = unsafe {
-        fmi3GetDirectionalDerivative(
-            host.component,
-            unknowns.as_ptr(),
-            unknowns.len(),
-            &raw const known,
-            1,
-            &raw const seed,
-            1,
-            found.as_mut_ptr(),
-            count,
-        )
-    };
-    assert_eq!(status, Status::Ok, "{}", host.last());
-    found
+    derivatives(host, unknowns, &[known], &[1.0], count)
+        .unwrap_or_else(|_| panic!("{}", host.last()))
 }
 
 fn compare(asked: Asked, seed: &[f64], most_apart: f64) {

@@ -9,7 +9,7 @@ use crate::host::{Host, reference};
 use crate::host3::Host3;
 
 /// Derivatives of unknowns with `count` elements in all by knowns along a seed.
-fn derivatives(
+pub fn derivatives(
     host: &Host3,
     unknowns: &[&str],
     knowns: &[&str],

@@ -4,7 +4,7 @@ use anyhow::Result;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-use super::canvas::{label, style_axes};
+use super::canvas::{GRID, label, px, style_axes, text};
 
 /// A chart of two linear axes.
 pub type Chart<'a, 'b> =
@@ -37,4 +37,22 @@ impl Axes<'_> {
         mesh.draw()?;
         Ok(())
     }
+}
+
+/// Draws the legend of a chart, its labels `size` pixels high.
+pub fn legend<'a, 'b: 'a>(
+    chart: &mut Chart<'a, 'b>,
+    at: SeriesLabelPosition,
+    size: u32,
+) -> Result<()> {
+    chart
+        .configure_series_labels()
+        .position(at)
+        .legend_area_size(px(26))
+        .margin(px(6))
+        .background_style(WHITE.mix(0.85))
+        .border_style(GRID)
+        .label_font(text(size))
+        .draw()?;
+    Ok(())
 }

@@ -6,7 +6,7 @@ use anyhow::Result;
 use plotters::prelude::*;
 use wheelrail::fatigue::{FatigueMap, Response};
 
-use super::axes::{Axes, Chart};
+use super::axes::{Axes, Chart, legend};
 use super::canvas::{Area, BLUE, GREEN, GRID, INK, VERMILION, px, text};
 use super::contours::Lattice;
 use super::panel::{FRAME, captioned};
@@ -90,16 +90,7 @@ impl Figure<'_> {
                 .label(name)
                 .legend(move |(x, y)| Circle::new((x + px(9) as i32, y), px(5), ink.filled()));
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .legend_area_size(px(26))
-            .margin(px(6))
-            .background_style(WHITE.mix(0.85))
-            .border_style(GRID)
-            .label_font(text(14))
-            .draw()?;
-        Ok(())
+        legend(&mut chart, SeriesLabelPosition::UpperRight, 14)
     }
 }
 

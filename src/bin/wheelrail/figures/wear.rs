@@ -5,8 +5,8 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
-use super::axes::Axes;
-use super::canvas::{Area, BLUE, GRID, VERMILION, heading, px, text};
+use super::axes::{Axes, legend};
+use super::canvas::{Area, BLUE, VERMILION, heading, px};
 use super::panel::framed;
 use super::{range_of, save};
 
@@ -62,15 +62,7 @@ fn panel(
         }
     }
     if lines.len() > 1 {
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .legend_area_size(px(26))
-            .margin(px(6))
-            .background_style(WHITE.mix(0.85))
-            .border_style(GRID)
-            .label_font(text(15))
-            .draw()?;
+        legend(&mut chart, SeriesLabelPosition::UpperRight, 15)?;
     }
     Ok(())
 }

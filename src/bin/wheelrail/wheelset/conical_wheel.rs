@@ -75,7 +75,6 @@ pub fn wheelset(speed: f64, slope: f64) -> Wheelset<ConicalWheel> {
 #[cfg(test)]
 mod tests {
     use super::super::body::State;
-    use super::super::oscillation::oscillation;
     use super::*;
 
     #[test]
@@ -88,25 +87,5 @@ mod tests {
         // Nose to the right: the wheels pull to the right.
         let yawed = State { yaw: 0.001, ..state };
         assert!(wheelset.force(&yawed, Moment::Initialization).unwrap().y > 0.0);
-    }
-
-    #[test]
-    fn cones_follow_klingels_wave() {
-        let (speed, slope, step) = (2.0, 0.1, 4e-5);
-        let mut wheelset = wheelset(speed, slope);
-        let mut state = wheelset.find_equilibrium([-RADIUS; 2]).unwrap();
-        assert!(step < wheelset.step_limit(&state).unwrap().longest());
-        let mut samples = Vec::new();
-        let mut time = 0.0;
-        while state.distance < 32.0 {
-            wheelset.advance(&mut state, time, step).unwrap();
-            time += step;
-            if state.distance > 2.0 {
-                samples.push((state.distance, state.y - wheelset.track.ramp));
-            }
-        }
-        let klingel = 2.0 * std::f64::consts::PI * (0.75 * RADIUS / slope).sqrt();
-        let found = oscillation(&samples).unwrap();
-        approx::assert_relative_eq!(found.wavelength, klingel, max_relative = 5e-3);
     }
 }

@@ -3,8 +3,8 @@
 use anyhow::Result;
 use plotters::prelude::*;
 
-use crate::figures::axes::Axes;
-use crate::figures::canvas::{Area, BLUE, GREEN, GRID, PURPLE, VERMILION, heading, px, text};
+use crate::figures::axes::{Axes, legend};
+use crate::figures::canvas::{Area, BLUE, GREEN, PURPLE, VERMILION, heading, px};
 use crate::figures::range_of;
 
 /// Draws `lines`, each with its name, over one axis.
@@ -13,7 +13,7 @@ pub fn draw_lines(
     title: &str,
     x_title: &str,
     lines: &[(&str, Vec<(f64, f64)>)],
-    legend: SeriesLabelPosition,
+    at: SeriesLabelPosition,
 ) -> Result<()> {
     let all = || lines.iter().flat_map(|(_, points)| points);
     let (start, end) =
@@ -33,14 +33,5 @@ pub fn draw_lines(
             PathElement::new([(x, y), (x + px(18) as i32, y)], ink.stroke_width(px(3)))
         });
     }
-    chart
-        .configure_series_labels()
-        .position(legend)
-        .legend_area_size(px(26))
-        .margin(px(6))
-        .background_style(WHITE.mix(0.85))
-        .border_style(GRID)
-        .label_font(text(14))
-        .draw()?;
-    Ok(())
+    legend(&mut chart, at, 14)
 }

@@ -7,7 +7,7 @@
 //! docs/figures/error_over_time.svg, and target/reports/error_over_time.csv with everything. It
 //! takes minutes; nothing else should run.
 
-#[path = "../callgrind/mod.rs"]
+#[path = "../../benches/callgrind/mod.rs"]
 mod callgrind;
 #[path = "../../src/bin/wheelrail/figures/canvas.rs"]
 mod canvas;
@@ -17,7 +17,7 @@ mod common;
 mod contact_program;
 mod figure;
 mod labels;
-#[path = "../page/mod.rs"]
+#[path = "../../benches/page/mod.rs"]
 mod page;
 mod report;
 mod times;
