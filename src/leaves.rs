@@ -5,7 +5,7 @@ use crate::math::real::Leaf;
 /// Before the inputs, in their order.
 const BEFORE_INPUTS: u32 = 1;
 /// Room for inputs.
-const INPUTS: u32 = 31;
+pub const INPUTS: u32 = 31;
 const BEFORE_CONSTANTS: u32 = BEFORE_INPUTS + INPUTS;
 
 /// Contact modulus of the material pair.

@@ -19,6 +19,8 @@ use crate::leaves;
 use crate::math::numbers::Numbers;
 use crate::math::tape::{Tape, Taped};
 
+const _: () = assert!(leaves::INPUTS as usize == INPUTS);
+
 /// Memory for derivatives backwards, which grows with the longest evaluation.
 #[derive(Clone, Debug)]
 pub(super) struct AdjointMemory {

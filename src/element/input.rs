@@ -112,15 +112,18 @@ impl<T: Real> Input<T> {
     /// The numbers, in the order of [`INPUT_NAMES`].
     #[rustfmt::skip]
     fn in_order(&mut self) -> [&mut T; INPUTS] {
-        let Self { wheel: w, rails: [r, s], .. } = self;
+        // By name, so that a further input is not left out here without a word.
+        let Self {
+            wheel: w, wheel_load, rails: [r, s],
+            track_s, friction, tread_friction, gauge_face_friction, open: _,
+        } = self;
         let ([x, y, z], [vx, vy, vz]) = (&mut w.position, &mut w.velocity);
         [
             x, y, z, &mut w.roll, &mut w.yaw, &mut w.pitch,
             vx, vy, vz, &mut w.roll_rate, &mut w.yaw_rate, &mut w.pitch_rate,
             &mut r.y, &mut r.z, &mut r.roll, &mut r.vy, &mut r.vz, &mut r.roll_rate,
             &mut s.y, &mut s.z, &mut s.roll, &mut s.vy, &mut s.vz, &mut s.roll_rate,
-            &mut self.track_s, &mut self.friction, &mut self.wheel_load,
-            &mut self.tread_friction, &mut self.gauge_face_friction,
+            track_s, friction, wheel_load, tread_friction, gauge_face_friction,
             &mut r.pitch_rate, &mut s.pitch_rate,
         ]
     }

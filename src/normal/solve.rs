@@ -44,10 +44,13 @@ pub fn solve_in_frame<T: Real>(
     probes: &[Probe],
     strips: &mut Strips<T>,
 ) -> usize {
-    if model == NormalModel::Hertz {
-        hertz::solve(problem, separation, strips);
-        return 0;
-    }
-    let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
+    let shape = match model {
+        NormalModel::Hertz => {
+            hertz::solve(problem, separation, strips);
+            return 0;
+        }
+        NormalModel::PiotrowskiKikCorrected => Some(shape_fit),
+        NormalModel::PiotrowskiKik | NormalModel::Strips | NormalModel::BoundaryElement => None,
+    };
     piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
 }

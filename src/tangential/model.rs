@@ -29,7 +29,15 @@ impl TangentialModel {
     /// Whether tractions are known that belong to its creep force, if it has one: those of its own, or
     /// of FASTSIM.
     pub fn has_tractions(self) -> bool {
-        !matches!(self, Self::Linear | Self::Fastrip)
+        match self {
+            Self::Linear | Self::Fastrip => false,
+            Self::None
+            | Self::Fastsim
+            | Self::Tables
+            | Self::FastsimCorrected
+            | Self::BoundaryElement
+            | Self::Marches => true,
+        }
     }
 }
 

@@ -89,6 +89,7 @@ impl<T: Real> Neck<T> {
         let range = zone.range();
         let [ys, lengths, pressures] =
             [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
+        // Then no strip carries less than some on either side.
         if rises_and_falls(ys, lengths, pressures) {
             return None;
         }

@@ -134,7 +134,9 @@ impl<T: ElementNumber> Models<T> {
         let acts =
             zones.iter().filter(|zone| tangential.acts_on(&zone.rolling.zone, &zone.law)).count();
         flat.clear();
-        flat.resize(zones.len(), CreepForce::default());
+        if !is_curved {
+            flat.resize(zones.len(), CreepForce::default());
+        }
         let curved = is_curved.then_some(&*curved);
         let rolling = zones.iter().map(|zone| zone.rolling(strips, curved));
         let convergence = tangential.roll(rolling, |n, j, force| {
