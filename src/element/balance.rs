@@ -20,7 +20,7 @@
 use super::input::Input;
 use super::output::Output;
 use super::wheel_on_rails::Element;
-use crate::normal::{Descent, Pose};
+use crate::normal::{Descent, Pose, way_between};
 
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
 const MISSING: f64 = 1e-10;
@@ -142,10 +142,16 @@ impl Balance {
 
     /// Residuals at another pose with the deflection `y`.
     pub fn take(&mut self, here: &Placed, y: f64) -> [f64; 3] {
-        let left = self.residuals(here, y);
-        self.turned = (here.aside - self.last.aside) * left[0] / (self.left[0] - left[0]);
-        (self.last, self.left) = (*here, left);
+        let [turned, before] = [self.last.aside, self.left[0]];
+        let left = self.take_again(here, y);
+        self.turned = (here.aside - turned) * left[0] / (before - left[0]);
         left
+    }
+
+    /// The same at the last pose once more, with other forces.
+    pub fn take_again(&mut self, here: &Placed, y: f64) -> [f64; 3] {
+        (self.last, self.left) = (*here, self.residuals(here, y));
+        self.left
     }
 
     /// Residuals at the last pose.
@@ -165,24 +171,24 @@ impl Balance {
         way.abs().max(missing.abs()).max(self.lateral().abs()) <= NEARLY
     }
 
-    /// Whether nothing is left at the last pose, where a way is `believed` to take so much off
-    /// itself, if more than one pose tells that.
-    pub fn is_met(&self, believed: Option<f64>) -> bool {
-        let Self { held: Held { load, .. }, last, left: [way, missing, _], .. } = *self;
+    /// Whether the last pose is where the wheel is carried but for its way down, where a way is
+    /// `believed` to take so much off itself, if more than one pose tells that.
+    pub fn is_placed(&self, believed: Option<f64>) -> bool {
+        let Self { held: Held { load, .. }, last, left: [way, ..], .. } = *self;
         let wrong = believed.map_or(WRONG[1], |share| (share - 1.0).abs().max(WRONG[0]));
         let is_placed = match last.before {
             // The vertical force is the load, the lateral one the load times `aside`.
             None => (wrong * way).abs() + self.turned.abs() <= MISPLACED,
             Some(before) => (load - before).abs() <= MISSING * load,
         };
-        is_placed && missing.abs() <= MISSING && self.lateral().abs() <= MISPLACED
+        is_placed && self.lateral().abs() <= MISPLACED
     }
-}
 
-/// The way from where the normal loads have the vertical force `from`, and so much `stiffness`, to
-/// where it is `to`: it grows with the power 3/2 of a depth [m].
-pub(crate) fn way_between(from: f64, stiffness: f64, to: f64) -> f64 {
-    1.5 * from / stiffness * ((to / from).powf(2.0 / 3.0) - 1.0)
+    /// Whether no load is missing there.
+    pub fn is_carried(&self) -> bool {
+        let [_, missing, _] = self.left;
+        missing.abs() <= MISSING
+    }
 }
 
 impl Element {
@@ -208,7 +214,8 @@ impl Element {
         if carried.is_nan() || carried <= 0.0 {
             return None;
         }
-        if let Some(Descent { way, reached: normal, stiffness, rails, .. }) = descent {
+        if let Some(Descent { way, reached: normal, stiffness, growth, rails, .. }) = descent {
+            let carried = carried * growth;
             let placed =
                 Placed { z, way, normal, carried, aside, stiffness, slope, before: None, left_out };
             return (rails == 1 && stiffness > 0.0).then_some(placed);

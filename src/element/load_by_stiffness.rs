@@ -3,18 +3,19 @@
 //!
 //! The [`balance`](super::balance) of a pose says which one to try next, each but the first from the
 //! solution of the one before. Where the first one is say contacts by themselves, with their creep
-//! forces.
+//! forces. Where the geometry of a pose will do and load is missing, it is its forces that are found
+//! anew.
 
 use nalgebra::SMatrix;
 
-use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, way_between};
+use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed};
 use super::input::Input;
 use super::output::{Output, heaviest_first};
 use super::parameters::FoundationModel;
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
 use crate::math::broyden::Broyden;
-use crate::normal::{Descent, Pose};
+use crate::normal::{Descent, Pose, way_between};
 
 /// Depth over that of the load about from which on a pose is too far for a guess.
 const FAR: f64 = 3.0;
@@ -140,38 +141,48 @@ impl Element {
     ) -> Option<Found> {
         let mut search = None::<(Balance, Broyden<3>)>;
         let (Way { mut about, mut pose, to }, mut first) = (way, 0.0);
+        let (mut believed, mut no_room) = (None, 0);
         for _ in 0..MOST_POSES {
             *input = self.put(given, &held, &about);
             let here = self.press(&about, pose, input, output)?;
-            let Placed { normal, stiffness, left_out, .. } = here;
+            let Placed { z, way, normal, stiffness, left_out, .. } = here;
             let tried = Carried { normal, ..about };
-            let mut believed = None;
-            if let Some((balance, search)) = &mut search {
-                let left = balance.take(&here, about.aside);
+            let is_same = matches!(pose, Pose::Same(_));
+            // Contacts are searched for once at a pose.
+            no_room = if is_same { left_out.max(no_room) } else { left_out };
+            let (balance, search) = if let Some((balance, search)) = &mut search {
+                let take = if is_same { Balance::take_again } else { Balance::take };
+                let left = take(balance, &here, about.aside);
                 search.take(balance.unknowns(&tried).into(), left.into());
-                believed = Some(search.matrix()[(0, 0)]);
-            }
-            let (balance, search) = match &mut search {
-                Some(search) => search,
-                none => none.insert(begin(&here, held, &tried)),
-            };
-            if believed.is_none() {
+                if !is_same {
+                    believed = Some(search.matrix()[(0, 0)]);
+                }
+                (balance, search)
+            } else {
+                let (balance, begun) = search.insert(begin(&here, held, &tried));
                 first = about.aside + balance.left()[2] * balance.depth();
-            }
-            if balance.is_met(believed) {
-                let z = if here.before.is_some() { here.z } else { here.z + here.way };
+                (balance, begun)
+            };
+            let is_placed = balance.is_placed(believed);
+            if is_placed && balance.is_carried() {
+                let z = if here.before.is_some() { z } else { z + way };
                 let carried = Carried { z, normal, stiffness, ..about };
-                return Some(Found { carried, at_once: first / about.aside, left_out });
+                return Some(Found { carried, at_once: first / about.aside, left_out: no_room });
             }
             let [at, step] = search.next()?;
             if believed.is_some() && step.amax() > LONGEST {
                 return None;
             }
-            about = balance.carried(at.into());
-            if to == To::OneBefore && balance.is_nearly_met() {
-                return Some(Found { carried: about, at_once: first / about.aside, left_out });
+            let next = balance.carried(at.into());
+            if is_placed {
+                // The geometry is that of the pose: it is the load that has to change.
+                (about, pose) = (Carried { normal: next.normal, ..tried }, Pose::Same(way));
+                continue;
             }
-            pose = Pose::Near;
+            if to == To::OneBefore && balance.is_nearly_met() {
+                return Some(Found { carried: next, at_once: first / about.aside, left_out });
+            }
+            (about, pose) = (next, Pose::Near);
         }
         None
     }

@@ -18,6 +18,8 @@ pub struct Descent {
     /// are known [N/m].
     pub reached: f64,
     pub stiffness: f64,
+    /// That force over the one of the loads as they are left [-].
+    pub growth: f64,
     /// Rails whose loads were asked for the force: there is an answer where it was one.
     pub rails: usize,
 }
@@ -39,6 +41,7 @@ impl Descent {
             way: 0.0,
             reached: 0.0,
             stiffness: 0.0,
+            growth: 1.0,
             rails: 0,
         }
     }
@@ -46,12 +49,28 @@ impl Descent {
     /// The same at a `pose`.
     #[must_use]
     pub fn at(self, pose: Pose) -> Self {
-        Self { pose, ..self }
+        let way = if let Pose::Same(way) = pose { way } else { self.way };
+        Self { pose, way, ..self }
+    }
+
+    /// Whether geometry and loads of the last problem still hold.
+    pub fn is_at_the_same_pose(&self) -> bool {
+        matches!(self.pose, Pose::Same(_))
     }
 
     /// Share of the way down by which the overlap at a place with so much unit `tangent` grows.
     pub fn cosine(&self, tangent: [f64; 2]) -> f64 {
         tangent[0] * self.down[1] - tangent[1] * self.down[0]
+    }
+
+    /// Looks down from where the vertical force is `reached` [N] and its derivative `stiffness`
+    /// [N/m] to where the force that is sought would be: `look` is told the way [m], lets loads grow
+    /// by it as their derivatives tell, and gives their vertical force [N].
+    pub fn look_down(&mut self, [reached, stiffness]: [f64; 2], look: impl FnOnce(f64) -> f64) {
+        self.way = way_between(reached, stiffness, self.wanted);
+        self.stiffness = stiffness * (self.wanted / reached).cbrt();
+        self.reached = self.wanted;
+        self.growth = self.wanted / look(self.way);
     }
 
     /// Goes down step by step: `carried` brings the wheel down by what it is told [m] and gives the
@@ -77,7 +96,7 @@ impl Descent {
             let is_close = |first: f64| missing.abs() <= (LEFT * first.abs()).max(ROUNDING);
             let is_last = first.is_some_and(is_close);
             first = first.or(Some(missing));
-            step = missing * 1.5 * reached / self.stiffness;
+            step = way_between(reached, self.stiffness, self.wanted);
             let is_lost = !(self.stiffness > 0.0 && step.is_finite());
             if is_last || is_lost || missing.abs() <= ROUNDING || trial == MOST_STEPS {
                 break;
@@ -88,13 +107,21 @@ impl Descent {
     }
 }
 
+/// The way from where the normal loads have the vertical force `from`, and so much `stiffness`, to
+/// where it is `to`: it grows with the power 3/2 of a depth [m].
+pub fn way_between(from: f64, stiffness: f64, to: f64) -> f64 {
+    1.5 * from / stiffness * ((to / from).powf(2.0 / 3.0) - 1.0)
+}
+
 /// What a pose has to do with that of the last problem.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pose {
-    /// Nothing that is to be used.
+    /// Nothing that is to be used. It is too far from where the force is for more than a look down.
     New,
     /// It is so near that the last solution is a start.
     Near,
+    /// It is the same, so far above where the last loads are [m].
+    Same(f64),
 }
 
 /// What is known of how a force grows on the way down.

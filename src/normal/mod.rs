@@ -19,7 +19,7 @@ mod strips;
 pub(crate) mod uneven;
 mod zones;
 
-pub use descent::{Descent, Pose, Slope};
+pub use descent::{Descent, Pose, Slope, way_between};
 pub use element_pressure::ElementPressure;
 pub use problem::{NormalModel, NormalProblem};
 pub use shape_correction::ShapeFit;

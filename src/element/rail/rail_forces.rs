@@ -78,11 +78,12 @@ impl RailContact {
         sunk: &mut Option<f64>,
     ) -> u64 {
         let before = (self.search.evaluations, self.search.left_out);
-        if !self.search_contacts(k, input) {
+        let is_same = models.descent.is_some_and(|descent| descent.is_at_the_same_pose());
+        if !is_same && !self.search_contacts(k, input) {
             work.lifted += 1;
             return 0;
         }
-        work.searches += 1;
+        work.searches += u64::from(!is_same);
         work.distances += self.search.evaluations - before.0;
         let left_out = self.search.left_out - before.1;
         let contacts = &self.search.contacts;

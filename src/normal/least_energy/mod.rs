@@ -127,14 +127,17 @@ impl StripSolver {
     ) -> usize {
         self.work.solved += 1;
         let pose = descent.as_ref().map_or(Pose::New, |descent| descent.pose);
-        self.newton.residual = 0.0;
-        self.overlaps.fill(line, probes, level);
-        self.lattice.lay(line, &self.overlaps);
+        let is_same = descent.as_ref().is_some_and(|descent| descent.is_at_the_same_pose());
+        if !is_same {
+            self.newton.residual = 0.0;
+            self.overlaps.fill(line, probes, level);
+            self.lattice.lay(line, &self.overlaps);
+        }
         if self.lattice.nodes.is_empty() {
             return 0;
         }
         let before = self.newton.steps;
-        let mut settled = self.newton.solve(&self.lattice, pose == Pose::Near);
+        let mut settled = is_same || self.newton.solve(&self.lattice, pose == Pose::Near);
         if let Some(descent) = descent {
             settled &= self.descend(descent, contact_modulus);
         }

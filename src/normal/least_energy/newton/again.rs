@@ -14,11 +14,14 @@ impl Newton {
         table: &Table,
         lattice: &Lattice,
     ) -> bool {
-        let Self { problem, system, load, .. } = self;
-        // Loads per width and χ hardly change.
-        let scale = problem.scales.load / lattice.scales.load;
-        let loads = load.iter_mut().zip(problem.points.iter()).zip(lattice.nodes.iter());
-        loads.for_each(|((load, point), node)| *load *= scale * node.width / point.width);
+        let Self { problem, system, load, above, .. } = self;
+        // Solutions are alike, each about its own nodes: a deeper wheel has the same χ, and loads per
+        // width over those of the ellipse.
+        system.shape.copy_from_slice(&above.shape);
+        let nodes = problem.points.iter().zip(lattice.nodes.iter());
+        for ((load, above), (point, node)) in load.iter_mut().zip(above.load.iter()).zip(nodes) {
+            *load = above * node.width / point.width;
+        }
         problem.take(lattice);
         simd.apart(
             #[inline(always)]
@@ -76,6 +79,13 @@ impl Newton {
     #[inline(always)]
     pub(super) fn lower_with<S: Simd>(&mut self, simd: S, cosines: &[f64], way: f64) -> bool {
         let table = &Kernel::shared().coefficients;
+        let change = self.grow_with(simd, cosines, way);
+        self.go_on(simd, table, change) || self.iterate(simd, table)
+    }
+
+    /// Lets overlaps grow by `way` times the `cosines`, and the unknowns by their derivatives.
+    #[inline(always)]
+    pub(super) fn grow_with<S: Simd>(&mut self, simd: S, cosines: &[f64], way: f64) -> Change {
         let grown = way * self.problem.scales.unit;
         for (point, cosine) in self.problem.points.iter_mut().zip(cosines) {
             point.overlap += grown * cosine;
@@ -85,7 +95,6 @@ impl Newton {
             *number *= way;
         }
         self.is_checked = false;
-        let change = self.change(simd, f64::INFINITY);
-        self.go_on(simd, table, change) || self.iterate(simd, table)
+        self.change(simd, f64::INFINITY)
     }
 }

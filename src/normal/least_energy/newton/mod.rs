@@ -71,6 +71,8 @@ pub(super) struct Newton {
     wanted: FixedVec<usize>,
     /// The point before the last step.
     last: Point,
+    /// The solution at the pose that overlaps are lowered from, if they are.
+    above: Solution,
     /// Steps with a new factor, and with an old one, so far.
     pub steps: u64,
     pub short_steps: u64,
@@ -82,11 +84,34 @@ pub(super) struct Newton {
 /// A point on the way.
 #[derive(Clone, Debug)]
 struct Point {
-    load: FixedVec<f64>,
-    shape: FixedVec<f64>,
+    at: Solution,
     energy: f64,
     /// What the energy was to change by, to first order.
     slope: f64,
+}
+
+/// Loads and χ.
+#[derive(Clone, Debug)]
+struct Solution {
+    load: FixedVec<f64>,
+    shape: FixedVec<f64>,
+}
+
+impl Solution {
+    fn new(nodes: usize, knots: usize) -> Self {
+        Self { load: FixedVec::new(nodes), shape: FixedVec::new(knots) }
+    }
+
+    fn is_of(&self, load: &[f64]) -> bool {
+        self.load.len() == load.len()
+    }
+
+    fn keep(&mut self, load: &[f64], shape: &[f64]) {
+        self.load.clear();
+        self.load.extend_from_slice(load);
+        self.shape.clear();
+        self.shape.extend_from_slice(shape);
+    }
 }
 
 /// What a step changed.
@@ -125,12 +150,8 @@ impl Newton {
             past: std::array::from_fn(|_| vec![[0.0; LANES]; blocks]),
             extra: FixedVec::new(most),
             wanted: FixedVec::new(most),
-            last: Point {
-                load: FixedVec::new(most),
-                shape: FixedVec::new(knots),
-                energy: 0.0,
-                slope: 0.0,
-            },
+            last: Point { at: Solution::new(most, knots), energy: 0.0, slope: 0.0 },
+            above: Solution::new(most, knots),
             steps: 0,
             short_steps: 0,
             residual: 0.0,
@@ -143,10 +164,26 @@ impl Newton {
         with_simd!(self.solve_with(lattice, is_near))
     }
 
+    /// Keeps the solution before it is lowered: the next one nearby begins from there.
+    pub fn keep_pose(&mut self) {
+        self.above.keep(&self.load, &self.system.shape);
+    }
+
     /// Moves to the solution with overlaps that are greater by `way` times the `cosines` of the
     /// nodes [m]; false where it does not converge.
     pub fn lower(&mut self, cosines: &[f64], way: f64) -> bool {
         with_simd!(self.lower_with(cosines, way))
+    }
+
+    /// The same by the derivatives of the solution alone; the sum of the loads over that of the
+    /// ellipse, times the `cosines` [m].
+    pub fn look_down(&mut self, cosines: &[f64], way: f64) -> f64 {
+        self.grow(cosines, way);
+        self.load.iter().zip(cosines).map(|(load, cosine)| load * cosine).sum()
+    }
+
+    fn grow(&mut self, cosines: &[f64], way: f64) -> Change {
+        with_simd!(self.grow_with(cosines, way))
     }
 
     /// What is read off a solution besides loads and χ, after a look whether nodes that were left out
@@ -187,9 +224,10 @@ impl Newton {
     #[inline(always)]
     fn solve_with<S: Simd>(&mut self, simd: S, lattice: &Lattice, is_near: bool) -> bool {
         let table = &Kernel::shared().coefficients;
-        if is_near && self.problem.has_nodes_of(lattice) {
+        if is_near && self.above.is_of(&self.load) && self.problem.has_nodes_of(lattice) {
             return self.solve_again(simd, table, lattice);
         }
+        self.above.load.clear();
         self.problem.take(lattice);
         self.problem.start(lattice, &mut self.load);
         self.system.shape.clear();
@@ -261,8 +299,8 @@ impl Newton {
                 *now = last + part * (*now - last);
             }
         };
-        between(load, &last.load);
-        between(&mut system.shape, &last.shape);
+        between(load, &last.at.load);
+        between(&mut system.shape, &last.at.shape);
     }
 
     /// One step of Newton's method, or nothing where the equations have no solution.
@@ -294,10 +332,7 @@ impl Newton {
                 break;
             }
         }
-        self.last.load.clear();
-        self.last.load.extend_from_slice(&self.load);
-        self.last.shape.clear();
-        self.last.shape.extend_from_slice(&self.system.shape);
+        self.last.at.keep(&self.load, &self.system.shape);
         self.last.energy = self.system.energy;
         let mut change = self.change(simd, f64::INFINITY);
         change.is_rough |= raise > 0.0;
