@@ -85,7 +85,8 @@ impl SideInput {
 }
 
 impl Default for Input {
-    /// The nominal position in the middle of the track, just lifted, at rest.
+    /// The nominal position in the middle of the track, just lifted, at rest; rails, load and friction
+    /// as by default of an [`element::Input`].
     fn default() -> Self {
         let input = element::Input::default();
         let [x, _, z] = input.wheel.position;
