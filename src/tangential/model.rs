@@ -96,15 +96,16 @@ macro_rules! models {
 
 models! { settings:
     /// No creep force.
-    None(()) = (), roll: |_, _, _| Convergence::default(), has_tractions: true;
+    None(()) = (), roll: |&mut (), _, _| Convergence::default(), has_tractions: true;
     /// Full adhesion without bound: the limit of FASTSIM for infinite friction.
     Linear(March<Linear>) = March { rule: Linear, flexibilities: Flexibilities::Three },
         roll: one_by_one, has_tractions: false;
     /// Kalker's march through the strips of the true patch.
     Fastsim(March<Fastsim>) = settings.fastsim(), roll: one_by_one, has_tractions: true;
     /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
-    Fastrip(March<Fastrip>) =
-        March { rule: Fastrip::new(settings.elements_along), flexibilities: settings.flexibilities },
+    Fastrip(March<Fastrip>) = March {
+            rule: Fastrip::new(settings.elements_along), flexibilities: settings.flexibilities,
+        },
         roll: one_by_one, has_tractions: false;
     /// The force of the ellipse with the same moments of load, from a table of boundary element
     /// solutions; no tractions.
@@ -123,7 +124,7 @@ models! { settings:
     /// their force corrected by its error on the ellipse.
     #[default]
     Marches(CoupledMarches) = CoupledMarches::new(settings.strips),
-        roll: CoupledMarches::roll, has_tractions: true;
+        roll: |model, zones, each| CoupledMarches::roll(model, &zones, each), has_tractions: true;
 }
 
 impl Model {

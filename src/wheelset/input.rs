@@ -8,6 +8,7 @@ use crate::element::input::{RailMotion, WheelMotion};
 use crate::element::parameters::RAILS;
 use crate::error::ContactError;
 use crate::math::numbers::{Numbers, numbers};
+use crate::open::Open;
 
 /// All inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +65,8 @@ impl SideInput {
             friction: self.friction,
             tread_friction: self.tread_friction,
             gauge_face_friction: self.gauge_face_friction,
-            ..element::Input::default()
+            // By name, so that a further input is not left out here without a word.
+            open: Open::default(),
         }
     }
 

@@ -161,7 +161,7 @@ impl CoupledMarches {
     /// that of the strip, which may come twice. Allocates nothing.
     pub fn roll<'a, T: CreepNumber>(
         &mut self,
-        zones: impl Iterator<Item = (usize, RollingZone<'a, T>)> + Clone,
+        zones: &(impl Iterator<Item = (usize, RollingZone<'a, T>)> + Clone),
         mut each: impl FnMut(usize, usize, StripForce<T>),
     ) -> Convergence {
         let Some((_, any)) = zones.clone().next() else { return Convergence::default() };
