@@ -275,7 +275,7 @@ mod tests {
     fn beyond(side: Side, creepage_model: CreepageModel) -> [f64; 3] {
         let parameters = Parameters { side, creepage_model, ..Parameters::default() };
         let (mut input, mut output) = (Input::default(), Output::default());
-        input.wheel.position[1] = 0.757;
+        input.wheel.position[1] = 0.7566;
         (input.wheel.velocity[0], input.wheel.pitch_rate) = (20.0, -20.0 / 0.46);
         input.wheel.yaw = 3e-3;
         let mut input = side.mirror(input);
@@ -305,7 +305,7 @@ mod tests {
                 if creepage == CreepageModel::Flat {
                     assert_abs_diff_eq!(n, 0.0, epsilon = ROUNDING);
                 } else {
-                    assert!((1e-6..3e-3).contains(&n.abs()), "{n}");
+                    assert!((1e-3..3e-3).contains(&n.abs()), "{n}");
                 }
             }
         }
