@@ -111,6 +111,7 @@
 //! values) comes with `cli`. As a library: `default-features = false`.
 
 pub mod conicity;
+mod defaults;
 pub mod element;
 pub mod error;
 pub mod fatigue;

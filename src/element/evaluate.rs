@@ -10,7 +10,8 @@ use crate::error::ContactError;
 
 impl Element {
     /// The contacts for `input` as planar problems, as a right wheel has them; allocates. In load
-    /// mode the height has to be that found.
+    /// mode the height has to be that found. Poses with several contacts:
+    /// [`touching_height`](Self::touching_height).
     ///
     /// # Errors
     /// The input at fault, by its FMU name.

@@ -1,6 +1,7 @@
 //! What an evaluation depends on besides the parameters.
 
 use super::parameters::{Mirror, RAILS};
+use crate::defaults::with_defaults;
 use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 use crate::math::numbers::{Numbers, numbers};
@@ -10,59 +11,46 @@ use crate::open::Open;
 /// Greatest number that is told from a greater one, whatever its unit.
 const MAX_NUMBER: f64 = 1e100;
 
-/// All inputs; one field for each FMU input of docs/fmi.md. A literal ends with
-/// `..Input::default()`, as there may be more of them in later versions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Input<T = f64> {
-    /// The wheel.
-    pub wheel: WheelMotion<T>,
-    /// Vertical force of the wheel on all rails together, down, if the load is given and not the
-    /// height; a wheel with none or a negative one is lifted [N].
-    pub wheel_load: T,
-    /// The rails, `rail[1]` first.
-    pub rails: [RailMotion<T>; RAILS],
-    /// Station along the track [m].
-    pub track_s: T,
-    /// Coefficient of friction where it is the same everywhere, ≥ 0 [-].
-    pub friction: T,
-    /// Coefficient of friction of the tread of the rails where they have regions, ≥ 0 [-].
-    pub tread_friction: T,
-    /// Coefficient of friction of their gauge faces, ≥ 0 [-].
-    pub gauge_face_friction: T,
-    #[doc(hidden)]
-    pub open: Open,
+with_defaults! {
+    /// All inputs; one field for each FMU input of docs/fmi.md. A literal ends with
+    /// `..Input::default()`, as there may be more of them in later versions. The default is the
+    /// nominal position of a right wheel, just lifted, at rest. (The units and the command line
+    /// start rolling and loaded.)
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Input<T = f64> {
+        /// The wheel.
+        pub wheel: WheelMotion<T> = WheelMotion {
+            position: [0.0, 0.75, -0.46],
+            roll: 0.0,
+            yaw: 0.0,
+            pitch: 0.0,
+            velocity: [0.0; 3],
+            roll_rate: 0.0,
+            yaw_rate: 0.0,
+            pitch_rate: 0.0,
+        },
+        /// Vertical force of the wheel on all rails together, down, if the load is given and not
+        /// the height; a wheel with none or a negative one is lifted [N].
+        pub wheel_load: T = 0.0,
+        /// The rails, `rail[1]` first.
+        pub rails: [RailMotion<T>; RAILS] = [RailMotion::default(); RAILS],
+        /// Station along the track [m].
+        pub track_s: T = 0.0,
+        /// Coefficient of friction where it is the same everywhere, ≥ 0 [-].
+        pub friction: T = 0.3,
+        /// Coefficient of friction of the tread of the rails where they have regions, ≥ 0 [-].
+        pub tread_friction: T = 0.3,
+        /// Coefficient of friction of their gauge faces, ≥ 0 [-].
+        pub gauge_face_friction: T = 0.3,
+        #[doc(hidden)]
+        pub open: Open = Open::default(),
+    }
 }
 
 numbers!(
     Input: wheel, wheel_load, rails, track_s, friction, tread_friction, gauge_face_friction;
     kept open
 );
-
-impl Default for Input {
-    /// The nominal position of a right wheel, just lifted, at rest. (The units and the command line
-    /// start rolling and loaded.)
-    fn default() -> Self {
-        Self {
-            wheel: WheelMotion {
-                position: [0.0, 0.75, -0.46],
-                roll: 0.0,
-                yaw: 0.0,
-                pitch: 0.0,
-                velocity: [0.0; 3],
-                roll_rate: 0.0,
-                yaw_rate: 0.0,
-                pitch_rate: 0.0,
-            },
-            wheel_load: 0.0,
-            rails: [RailMotion::default(); RAILS],
-            track_s: 0.0,
-            friction: 0.3,
-            tread_friction: 0.3,
-            gauge_face_friction: 0.3,
-            open: Open::default(),
-        }
-    }
-}
 
 impl<T: Real> Mirror for Input<T> {
     fn mirrored(&self) -> Self {

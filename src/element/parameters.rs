@@ -19,6 +19,7 @@ pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParamete
 pub use foundation::{Foundation, FoundationModel};
 pub use uneven::{Corrugation, OutOfRound, WheelFlat};
 
+use crate::defaults::with_defaults;
 use crate::open::Open;
 
 /// On which side of the track the wheel runs.
@@ -110,25 +111,28 @@ pub enum FrictionDistribution {
     Profile,
 }
 
-/// Wheel: profile, size and material.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WheelParameters {
-    /// Built-in name or file of the profile; slices or a table of sections where it varies around.
-    pub profile: String,
-    /// Radius of the nominal rolling circle, > 0 [m].
-    pub nominal_radius: f64,
-    /// Young's modulus, > 0 [Pa].
-    pub young_modulus: f64,
-    /// Poisson's ratio, 0 to 0.5 [-].
-    pub poisson_ratio: f64,
-    /// Deviation from a circle.
-    pub out_of_round: OutOfRound,
-    /// A flat.
-    pub flat: WheelFlat,
-    /// File for the worn profile at the end of a run of the FMU; empty for none.
-    pub worn_file: String,
-    #[doc(hidden)]
-    pub open: Open,
+with_defaults! {
+    /// Wheel: profile, size and material.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct WheelParameters {
+        /// Built-in name or file of the profile; slices or a table of sections where it varies
+        /// around.
+        pub profile: String = "S1002".into(),
+        /// Radius of the nominal rolling circle, > 0 [m].
+        pub nominal_radius: f64 = 0.46,
+        /// Young's modulus, > 0 [Pa].
+        pub young_modulus: f64 = 2.1e11,
+        /// Poisson's ratio, 0 to 0.5 [-].
+        pub poisson_ratio: f64 = 0.28,
+        /// Deviation from a circle.
+        pub out_of_round: OutOfRound = OutOfRound::default(),
+        /// A flat.
+        pub flat: WheelFlat = WheelFlat::default(),
+        /// File for the worn profile at the end of a run of the FMU; empty for none.
+        pub worn_file: String = String::new(),
+        #[doc(hidden)]
+        pub open: Open = Open::default(),
+    }
 }
 
 /// What says where a rail stands.
@@ -145,209 +149,143 @@ pub enum Placement {
     Origin,
 }
 
-/// One rail: profile and how it stands.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RailParameters {
-    /// Built-in name or file of the profile; slices or a table of sections where it varies along
-    /// the track.
-    pub profile: String,
-    /// Whether this rail takes part.
-    pub enabled: bool,
-    /// Inclination of the profile towards the track centre, as a tangent: 1:40 is 0.025 [-].
-    pub inclination: f64,
-    /// What says where it stands.
-    pub placement: Placement,
-    /// Its place in design position, unless it is placed by gauge: y (negative for a left wheel, as
-    /// that of the wheel) and z in the track frame [m].
-    pub position: [f64; 2],
-    /// Distance of the highest point of a roller from its axle, which is across the track at x = 0
-    /// of the track frame; 0 for a straight rail [m].
-    pub roller_radius: f64,
-    /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on
-    /// the field side.
-    pub mirrored: bool,
-    /// Corrugation.
-    pub corrugation: Corrugation,
-    /// File for the worn profile at the end of a run of the FMU; empty for none.
-    pub worn_file: String,
-    #[doc(hidden)]
-    pub open: Open,
+with_defaults! {
+    /// One rail: profile and how it stands. Defaults are those of `rail[1]`; of `rail[2]`, see
+    /// [`Parameters::rails`].
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct RailParameters {
+        /// Built-in name or file of the profile; slices or a table of sections where it varies
+        /// along the track.
+        pub profile: String = "60E1".into(),
+        /// Whether this rail takes part.
+        pub enabled: bool = true,
+        /// Inclination of the profile towards the track centre, as a tangent: 1:40 is 0.025. A
+        /// mirrored rail is inclined before it is turned, so that it leans away from the track
+        /// centre. The same on both sides of the track [-].
+        pub inclination: f64 = 0.025,
+        /// What says where it stands.
+        pub placement: Placement = Placement::Gauge,
+        /// Its place in design position, unless it is placed by gauge: y (negative for a left
+        /// wheel, as that of the wheel) and z in the track frame [m].
+        pub position: [f64; 2] = [0.75, 0.0],
+        /// Distance of the highest point of a roller from its axle, which is across the track at x
+        /// = 0 of the track frame; 0 for a straight rail [m].
+        pub roller_radius: f64 = 0.0,
+        /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is
+        /// on the field side. A left rail is the mirror image of a right one without it.
+        pub mirrored: bool = false,
+        /// Corrugation.
+        pub corrugation: Corrugation = Corrugation::default(),
+        /// File for the worn profile at the end of a run of the FMU; empty for none.
+        pub worn_file: String = String::new(),
+        #[doc(hidden)]
+        pub open: Open = Open::default(),
+    }
 }
 
-/// Everything fixed over a run; one field for each FMU parameter of docs/fmi.md.
-///
-/// There may be more fields in later versions, so that a literal names some and takes the rest from
-/// others:
-///
-/// ```
-/// use wheelrail::element::Parameters;
-/// use wheelrail::element::parameters::{NormalModel, TangentialModel};
-///
-/// let mut parameters = Parameters {
-///     normal_model: NormalModel::PiotrowskiKik,
-///     tangential_model: TangentialModel::Fastsim,
-///     strips: 12,
-///     ..Parameters::default()
-/// };
-/// parameters.wheel.nominal_radius = 0.5;
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameters {
-    /// Side of the track.
-    pub side: Side,
-    /// The wheel.
-    pub wheel: WheelParameters,
-    /// The rails, `rail[1]` first.
-    pub rails: [RailParameters; RAILS],
-    /// Young's modulus of the rails, > 0 [Pa].
-    pub rail_young_modulus: f64,
-    /// Poisson's ratio of the rails, 0 to 0.5 [-].
-    pub rail_poisson_ratio: f64,
-    /// Track gauge, > 0 [m].
-    pub gauge: f64,
-    /// Depth below the rail top at which the gauge is measured, > 0 [m].
-    pub gauge_depth: f64,
-    /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0
-    /// interpolates, and a negative number (-1) leaves the choice to the noise of each file's
-    /// points [m].
-    pub profile_smoothing: f64,
-    /// What is given of the vertical motion.
-    pub vertical_mode: VerticalMode,
-    /// What turns the wheel.
-    pub motion: Motion,
-    /// What the rails rest on.
-    pub foundation: Foundation,
-    /// Normal contact model.
-    pub normal_model: NormalModel,
-    /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
-    pub virtual_penetration: f64,
-    /// Ratio of length to width that a corrected contact area gets.
-    pub shape_fit: ShapeFit,
-    /// Strips across each loaded zone, 4 to 200.
-    pub strips: usize,
-    /// Boundary elements along and across the extent of a contact, 4 to 200.
-    pub normal_elements: [usize; 2],
-    /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
-    pub damping: f64,
-    /// How creepage varies over a patch.
-    pub creepage_model: CreepageModel,
-    /// Floor of the speed that creepages refer to, > 0 [m/s].
-    pub minimum_speed: f64,
-    /// Tangential contact model.
-    pub tangential_model: TangentialModel,
-    /// What tractions follow from besides the state of the moment.
-    pub tangential_history: TangentialHistory,
-    /// Elements along each strip, 4 to 200.
-    pub elements_along: usize,
-    /// Shape of the traction bound.
-    pub bound: TractionBound,
-    /// How the flexibilities enter.
-    pub flexibilities: Flexibilities,
-    /// How friction is spread over the surface of the rails.
-    pub friction_distribution: FrictionDistribution,
-    /// File of the table of friction; empty for none.
-    pub friction_profile: String,
-    /// Where the tread changes over to the gauge face.
-    pub friction_changeover: Changeover,
-    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread
-    /// where friction is not uniform.
-    pub friction_law: FrictionLaw,
-    /// The same of the gauge face, where friction is not uniform.
-    pub gauge_face_law: FrictionLaw,
-    /// How friction falls with the temperature that sliding makes.
-    pub flash_temperature: FlashTemperature,
-    /// Yield stress of the rail in shear, for the surface fatigue index, > 0 [Pa].
-    pub shear_yield: f64,
-    /// Wear.
-    pub wear: WearParameters,
-    #[doc(hidden)]
-    pub open: Open,
+with_defaults! {
+    /// Everything fixed over a run; one field for each FMU parameter of docs/fmi.md.
+    ///
+    /// There may be more fields in later versions, so that a literal names some and takes the rest
+    /// from others:
+    ///
+    /// ```
+    /// use wheelrail::element::Parameters;
+    /// use wheelrail::element::parameters::{NormalModel, TangentialModel};
+    ///
+    /// let mut parameters = Parameters {
+    ///     normal_model: NormalModel::PiotrowskiKik,
+    ///     tangential_model: TangentialModel::Fastsim,
+    ///     strips: 12,
+    ///     ..Parameters::default()
+    /// };
+    /// parameters.wheel.nominal_radius = 0.5;
+    /// ```
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Parameters {
+        /// Side of the track.
+        pub side: Side = Side::Right,
+        /// The wheel.
+        pub wheel: WheelParameters = WheelParameters::default(),
+        /// The rails, `rail[1]` first; the second one is a check rail to be enabled.
+        pub rails: [RailParameters; RAILS] = [
+            RailParameters::default(),
+            RailParameters {
+                enabled: false,
+                placement: Placement::Position,
+                position: [0.633, 0.0],
+                mirrored: true,
+                ..RailParameters::default()
+            },
+        ],
+        /// Young's modulus of the rails, > 0 [Pa].
+        pub rail_young_modulus: f64 = 2.1e11,
+        /// Poisson's ratio of the rails, 0 to 0.5 [-].
+        pub rail_poisson_ratio: f64 = 0.28,
+        /// Track gauge, > 0 [m].
+        pub gauge: f64 = 1.435,
+        /// Depth below the rail top at which the gauge is measured, > 0 [m].
+        pub gauge_depth: f64 = 0.014,
+        /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0
+        /// interpolates, and a negative number (-1) leaves the choice to the noise of each file's
+        /// points [m].
+        pub profile_smoothing: f64 = AUTOMATIC_SMOOTHING,
+        /// What is given of the vertical motion.
+        pub vertical_mode: VerticalMode = VerticalMode::Penetration,
+        /// What turns the wheel.
+        pub motion: Motion = Motion::Given,
+        /// What the rails rest on.
+        pub foundation: Foundation = Foundation::default(),
+        /// Normal contact model.
+        pub normal_model: NormalModel = NormalModel::Strips,
+        /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
+        pub virtual_penetration: f64 = 0.55,
+        /// Ratio of length to width that a corrected contact area gets.
+        pub shape_fit: ShapeFit = ShapeFit::Hertz,
+        /// Strips across each loaded zone, 4 to 200.
+        pub strips: usize = 20,
+        /// Boundary elements along and across the extent of a contact, 4 to 200.
+        pub normal_elements: [usize; 2] = [40, 40],
+        /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
+        pub damping: f64 = 1e5,
+        /// How creepage varies over a patch.
+        pub creepage_model: CreepageModel = CreepageModel::Curved,
+        /// Floor of the speed that creepages refer to, > 0 [m/s].
+        pub minimum_speed: f64 = 1e-3,
+        /// Tangential contact model.
+        pub tangential_model: TangentialModel = TangentialModel::Marches,
+        /// What tractions follow from besides the state of the moment.
+        pub tangential_history: TangentialHistory = TangentialHistory::Steady,
+        /// Elements along each strip, 4 to 200.
+        pub elements_along: usize = 20,
+        /// Shape of the traction bound.
+        pub bound: TractionBound = TractionBound::Elliptic,
+        /// How the flexibilities enter.
+        pub flexibilities: Flexibilities = Flexibilities::Blended,
+        /// How friction is spread over the surface of the rails.
+        pub friction_distribution: FrictionDistribution = FrictionDistribution::Uniform,
+        /// File of the table of friction; empty for none.
+        pub friction_profile: String = String::new(),
+        /// Where the tread changes over to the gauge face.
+        pub friction_changeover: Changeover = Changeover::default(),
+        /// How friction falls with sliding, and the initial slope on contaminated rails; of the
+        /// tread where friction is not uniform.
+        pub friction_law: FrictionLaw = FrictionLaw::default(),
+        /// The same of the gauge face, where friction is not uniform.
+        pub gauge_face_law: FrictionLaw = FrictionLaw::default(),
+        /// How friction falls with the temperature that sliding makes.
+        pub flash_temperature: FlashTemperature = FlashTemperature::default(),
+        /// Yield stress of the rail in shear, for the surface fatigue index, > 0 [Pa].
+        pub shear_yield: f64 = 3e8,
+        /// Wear.
+        pub wear: WearParameters = WearParameters::default(),
+        #[doc(hidden)]
+        pub open: Open = Open::default(),
+    }
 }
 
 /// Number of rails an element can carry.
 pub const RAILS: usize = 2;
-
-impl Default for WheelParameters {
-    fn default() -> Self {
-        Self {
-            profile: "S1002".into(),
-            nominal_radius: 0.46,
-            young_modulus: 2.1e11,
-            poisson_ratio: 0.28,
-            out_of_round: OutOfRound::default(),
-            flat: WheelFlat::default(),
-            worn_file: String::new(),
-            open: Open::default(),
-        }
-    }
-}
-
-impl Default for RailParameters {
-    fn default() -> Self {
-        Self {
-            profile: "60E1".into(),
-            enabled: true,
-            inclination: 0.025,
-            placement: Placement::Gauge,
-            position: [0.75, 0.0],
-            roller_radius: 0.0,
-            mirrored: false,
-            corrugation: Corrugation::default(),
-            worn_file: String::new(),
-            open: Open::default(),
-        }
-    }
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            side: Side::Right,
-            wheel: WheelParameters::default(),
-            rails: [
-                RailParameters::default(),
-                // A check rail.
-                RailParameters {
-                    enabled: false,
-                    placement: Placement::Position,
-                    position: [0.633, 0.0],
-                    mirrored: true,
-                    ..RailParameters::default()
-                },
-            ],
-            rail_young_modulus: 2.1e11,
-            rail_poisson_ratio: 0.28,
-            gauge: 1.435,
-            gauge_depth: 0.014,
-            profile_smoothing: AUTOMATIC_SMOOTHING,
-            vertical_mode: VerticalMode::default(),
-            motion: Motion::default(),
-            foundation: Foundation::default(),
-            normal_model: NormalModel::default(),
-            virtual_penetration: 0.55,
-            shape_fit: ShapeFit::default(),
-            strips: 20,
-            normal_elements: [40, 40],
-            damping: 1e5,
-            creepage_model: CreepageModel::default(),
-            minimum_speed: 1e-3,
-            tangential_model: TangentialModel::default(),
-            tangential_history: TangentialHistory::default(),
-            elements_along: 20,
-            bound: TractionBound::default(),
-            flexibilities: Flexibilities::default(),
-            friction_distribution: FrictionDistribution::default(),
-            friction_profile: String::new(),
-            friction_changeover: Changeover::default(),
-            friction_law: FrictionLaw::default(),
-            gauge_face_law: FrictionLaw::default(),
-            flash_temperature: FlashTemperature::default(),
-            shear_yield: 3e8,
-            wear: WearParameters::default(),
-            open: Open::default(),
-        }
-    }
-}
 
 impl Parameters {
     /// The same for a wheel of the given side; places of rails become those of that side.
@@ -375,5 +313,32 @@ impl Parameters {
     pub(super) fn is_corrugated(&self, k: usize) -> bool {
         let Corrugation { amplitude, file, .. } = &self.rails[k].corrugation;
         self.rails[k].enabled && (*amplitude != 0.0 || !file.is_empty())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn choices_by_default_are_those_of_their_types() {
+        let own = Parameters::default();
+        assert_eq!(own.side, Side::default());
+        assert_eq!(own.rails[0].placement, Placement::default());
+        assert_eq!(own.vertical_mode, VerticalMode::default());
+        assert_eq!(own.motion, Motion::default());
+        assert_eq!(own.foundation.model, FoundationModel::default());
+        assert_eq!(own.normal_model, NormalModel::default());
+        assert_eq!(own.shape_fit, ShapeFit::default());
+        assert_eq!(own.creepage_model, CreepageModel::default());
+        assert_eq!(own.tangential_model, TangentialModel::default());
+        assert_eq!(own.tangential_history, TangentialHistory::default());
+        assert_eq!(own.bound, TractionBound::default());
+        assert_eq!(own.flexibilities, Flexibilities::default());
+        assert_eq!(own.friction_distribution, FrictionDistribution::default());
+        assert_eq!(own.friction_law.falling_law, FallingLaw::default());
+        assert_eq!(own.wheel.flat.shape, FlatShape::default());
+        assert_eq!(own.wear.model, WearModel::default());
+        assert_eq!(own.wear.distribution, WearDistribution::default());
     }
 }

@@ -29,6 +29,24 @@ const LOOKS_OVER_THE_SIDE: f64 = 0.03;
 
 /// What is odd about the evaluation of `input` that gave `output`: the number of the element and the
 /// remark; of a kind no more than one for each element. Allocates nothing.
+///
+/// ```
+/// use wheelrail::element::{Element, Input, Output, Parameters, remarks};
+///
+/// let (parameters, mut input) = (Parameters::default(), Input::default());
+/// let mut element = Element::new(&parameters, &input, &[])?;
+/// input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
+/// // Without a pitch rate the wheel is locked.
+/// input.wheel.velocity[0] = 20.0;
+/// let mut output = Output::default();
+/// element.evaluate(&input, &mut output)?;
+/// let mut told = Vec::new();
+/// remarks(&element, &parameters, &input, &output, |_, remark| {
+///     told.push(remark.message("").to_string());
+/// });
+/// assert!(told[0].starts_with("the wheel slides on rail[1] with a slip of 100 %"));
+/// # Ok::<(), wheelrail::error::ContactError>(())
+/// ```
 pub fn remarks<S: Subject>(
     subject: &S,
     parameters: &S::Parameters,

@@ -111,6 +111,28 @@ impl Element {
 
     /// The marker height at which the first contact appears when the wheel comes down from above,
     /// at the y, roll and yaw of `start`; its own height where it stands beside the rails [m].
+    ///
+    /// A little below it, the wheel moved sideways, poses with several contacts are found:
+    ///
+    /// ```
+    /// use wheelrail::element::{Element, Input, Output, Parameters};
+    ///
+    /// let mut input = Input::default();
+    /// let mut element = Element::new(&Parameters::default(), &input, &[])?;
+    /// let mut output = Output::default();
+    /// let mut found = Vec::new();
+    /// for step in 0..20 {
+    ///     input.wheel.position[1] = 0.75 + 5e-4 * f64::from(step);
+    ///     input.wheel.position[2] = element.touching_height(&input) + 1e-4;
+    ///     element.evaluate(&input, &mut output)?;
+    ///     if output.patch_count > 1 {
+    ///         found.push(input.wheel.position[1]);
+    ///     }
+    /// }
+    /// // S1002 on 60E1 at 1:40: tread and flange root, some 5 mm from the middle.
+    /// assert!(found.iter().all(|y| (0.754..0.757).contains(y)) && found.len() > 1);
+    /// # Ok::<(), wheelrail::error::ContactError>(())
+    /// ```
     pub fn touching_height(&mut self, start: &Input) -> f64 {
         self.touch(start).unwrap_or(start.wheel.position[2])
     }

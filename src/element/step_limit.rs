@@ -5,16 +5,20 @@
 //! dampers of rate λ = (∂F/∂v)/m, which an explicit step follows stably for h ≤ 2/λ.
 
 use super::stiffness::ContactSlopes;
+use crate::defaults::with_defaults;
 
-/// Inertia of a wheelset, a body of revolution about its axle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia {
-    /// Mass [kg].
-    pub mass: f64,
-    /// Moment of inertia about any axis through the centre normal to the axle [kg m²].
-    pub transverse: f64,
-    /// Moment of inertia about the axle [kg m²].
-    pub axle: f64,
+with_defaults! {
+    /// Inertia of a wheelset, a body of revolution about its axle; by default of one of medium
+    /// weight.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Inertia {
+        /// Mass [kg].
+        pub mass: f64 = 1500.0,
+        /// Moment of inertia about any axis through the centre normal to the axle [kg m²].
+        pub transverse: f64 = 900.0,
+        /// Moment of inertia about the axle [kg m²].
+        pub axle: f64 = 100.0,
+    }
 }
 
 impl Inertia {
@@ -22,13 +26,6 @@ impl Inertia {
     /// lateral motion [N s/m], its yaw and its rotation about the axle [N m s].
     pub fn fastest_rate(&self, [lateral, yaw, pitch]: [f64; 3]) -> f64 {
         (lateral / self.mass).max(yaw / self.transverse).max(pitch / self.axle).max(0.0)
-    }
-}
-
-impl Default for Inertia {
-    /// Of a wheelset of medium weight.
-    fn default() -> Self {
-        Self { mass: 1500.0, transverse: 900.0, axle: 100.0 }
     }
 }
 

@@ -1,21 +1,18 @@
 //! Where the tread of a rail changes over to its gauge face.
 
 use super::table::Table;
+use crate::defaults::with_defaults;
 
-/// Where the tread changes over to the gauge face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Changeover {
-    /// Inclination of the rail's surface in the middle of it, negative towards the gauge face
-    /// [rad].
-    pub inclination: f64,
-    /// Difference of inclination from one end to the other, > 0 [rad].
-    pub width: f64,
-}
-
-impl Default for Changeover {
-    /// From 19 to 39 degrees: between the gauge corner of a new rail and its face.
-    fn default() -> Self {
-        Self { inclination: -0.5, width: 0.35 }
+with_defaults! {
+    /// Where the tread changes over to the gauge face. By default from 19 to 39 degrees: between
+    /// the gauge corner of a new rail and its face.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Changeover {
+        /// Inclination of the rail's surface in the middle of it, negative towards the gauge face
+        /// [rad].
+        pub inclination: f64 = -0.5,
+        /// Difference of inclination from one end to the other, > 0 [rad].
+        pub width: f64 = 0.35,
     }
 }
 

@@ -1,4 +1,4 @@
-//! Profiles by name: built in, or from a file of one of three formats.
+//! Profiles by name: built in, or from a file of one of several formats.
 
 use std::path::{Path, PathBuf};
 
@@ -11,6 +11,36 @@ use crate::geometry::profiles::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOW
 use crate::geometry::profiles::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::profiles::profile_points::ProfilePoints;
 use crate::geometry::profiles::standard_profiles::{built_in, built_in_names};
+
+/// A format that files have by their extension or their content.
+struct Format {
+    name: &'static str,
+    /// Of wheels and of rails, in lower case.
+    extensions: [&'static str; 2],
+    is_recognised: fn(content: &str) -> bool,
+    read: fn(
+        file: &str,
+        content: &str,
+        kind: ProfileKind,
+        stated: &Stated,
+    ) -> Result<ProfilePoints, ProfileError>,
+}
+
+/// All formats but that of two columns, which is what has none of these.
+const FORMATS: [Format; 2] = [
+    Format {
+        name: "SIMPACK",
+        extensions: ["prw", "prr"],
+        is_recognised: simpack::is_recognised,
+        read: |file, content, kind, _| simpack::read(file, content, kind),
+    },
+    Format {
+        name: "MiniProf",
+        extensions: ["whl", "ban"],
+        is_recognised: miniprof::is_recognised,
+        read: miniprof::read,
+    },
+];
 
 /// The profile that a parameter names: a built-in or analytic one, else a file.
 ///
@@ -118,14 +148,31 @@ fn read(
     bytes: &[u8],
     kind: ProfileKind,
 ) -> Result<ProfilePoints, ProfileError> {
+    read_known(file, extension, bytes, kind).map_err(|error| match error {
+        ProfileError::UnknownFormat { file, line, what } => {
+            let known = FORMATS.map(|Format { name, extensions: [wheel, rail], .. }| {
+                format!("a {name} file (.{wheel}, .{rail})")
+            });
+            let known = known.join(", ");
+            let what = format!("{what}; give {known} or text with the two columns y_mm z_mm");
+            ProfileError::UnknownFormat { file, line, what }
+        }
+        other => other,
+    })
+}
+
+fn read_known(
+    file: &str,
+    extension: &str,
+    bytes: &[u8],
+    kind: ProfileKind,
+) -> Result<ProfilePoints, ProfileError> {
     if let Some(at) = bytes.iter().position(|&b| b == 0) {
         let line = bytes[..at].split(|&b| b == b'\n').count();
         let what = "it is not text".into();
         return Err(ProfileError::UnknownFormat { file: file.into(), line, what });
     }
     let content = &text(bytes);
-    let (simpack_like, miniprof_like) =
-        (simpack::is_recognised(content), miniprof::is_recognised(content));
     let extension = extension.to_ascii_lowercase();
     if let ("whl", ProfileKind::Rail) | ("ban", ProfileKind::Wheel) = (extension.as_str(), kind) {
         return Err(ProfileError::WrongKind { file: file.into(), line: 1, kind });
@@ -136,14 +183,12 @@ fn read(
         return Err(ProfileError::BadSlices { file, line: 1, what });
     }
     let stated = Stated::of(file, content)?;
-    let points = match extension.as_str() {
-        "prw" | "prr" if simpack_like || !miniprof_like => simpack::read(file, content, kind),
-        "whl" | "ban" if miniprof_like || !simpack_like => {
-            miniprof::read(file, content, kind, &stated)
-        }
-        _ if simpack_like => simpack::read(file, content, kind),
-        _ if miniprof_like => miniprof::read(file, content, kind, &stated),
-        _ => two_column::read(file, content, &stated),
+    // The extension decides unless the content is that of other formats alone.
+    let named = FORMATS.iter().find(|format| format.extensions.contains(&extension.as_str()));
+    let mut recognised = named.into_iter().chain(&FORMATS).filter(|f| (f.is_recognised)(content));
+    let points = match recognised.next().or(named) {
+        Some(format) => (format.read)(file, content, kind, &stated),
+        None => two_column::read(file, content, &stated),
     };
     points.map(|points| stated.apply(points))
 }

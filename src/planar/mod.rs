@@ -34,7 +34,7 @@ use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::normal::least_energy::{MIN_STRIPS, StripSolver, solve_in_frame};
 use crate::normal::{self, NormalProblem, Strips};
-use crate::tangential::{CreepForce, Creepage, RollingState, RollingZone, Tangential};
+use crate::tangential::{CreepForce, Creepage, RollingState, RollingZone, Settings, Tangential};
 use case::MAX_APPROACH;
 use line::PlanarLine;
 
@@ -260,16 +260,16 @@ fn without_creep_forces(strips: &Strips) -> PlanarResult {
 }
 
 fn tangential_of(case: &PlanarCase) -> Tangential {
-    Tangential::new(
-        case.tangential_model,
-        case.flexibilities,
-        case.bound,
-        case.elements_along,
-        case.elements,
-    )
-    .for_strips(case.strips)
-    .with_laws([case.friction_law, case.gauge_face_law])
-    .with_flash_temperature(case.flash_temperature)
+    let settings = Settings {
+        flexibilities: case.flexibilities,
+        bound: case.bound,
+        elements_along: case.elements_along,
+        elements: case.elements,
+        strips: case.strips,
+    };
+    Tangential::new(case.tangential_model, &settings)
+        .with_laws([case.friction_law, case.gauge_face_law])
+        .with_flash_temperature(case.flash_temperature)
 }
 
 /// How a zone with its centroid at `y` rolls.

@@ -24,31 +24,28 @@ use std::f64::consts::PI;
 
 use super::RollingState;
 use super::friction_law::slip_velocity;
+use crate::defaults::with_defaults;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Mean of J over a semi-elliptical pressure.
 const MEAN: f64 = 1.572_023_357;
 
-/// How friction falls with the temperature that sliding makes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlashTemperature {
-    /// σ: friction of a hot patch over that of a cold one, 0 to 1; 1 is off [-].
-    pub share: f64,
-    /// ϑ₁: rise above the temperature of the bodies from which on friction falls, ≥ 0 [K].
-    pub onset: f64,
-    /// Δϑ: further rise over which it does, > 0 [K].
-    pub range: f64,
-    /// λ: conductivity of both bodies, > 0 [W/(m K)].
-    pub conductivity: f64,
-    /// c: heat capacity for each volume of both bodies, > 0 [J/(m³ K)].
-    pub heat_capacity: f64,
-}
-
-impl Default for FlashTemperature {
-    /// Off; steel of 7850 kg/m³, 450 J/(kg K) and 50 W/(m K).
-    fn default() -> Self {
-        Self { share: 1.0, onset: 0.0, range: 400.0, conductivity: 50.0, heat_capacity: 3.5325e6 }
+with_defaults! {
+    /// How friction falls with the temperature that sliding makes. By default it is off, and the
+    /// bodies are of steel with 7850 kg/m³, 450 J/(kg K) and 50 W/(m K).
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct FlashTemperature {
+        /// σ: friction of a hot patch over that of a cold one, 0 to 1; 1 is off [-].
+        pub share: f64 = 1.0,
+        /// ϑ₁: rise above the temperature of the bodies from which on friction falls, ≥ 0 [K].
+        pub onset: f64 = 0.0,
+        /// Δϑ: further rise over which it does, > 0 [K].
+        pub range: f64 = 400.0,
+        /// λ: conductivity of both bodies, > 0 [W/(m K)].
+        pub conductivity: f64 = 50.0,
+        /// c: heat capacity for each volume of both bodies, > 0 [J/(m³ K)].
+        pub heat_capacity: f64 = 3.5325e6,
     }
 }
 

@@ -37,6 +37,7 @@ use std::f64::consts::PI;
 
 use super::RollingState;
 use super::kalker_coefficients::kalker_coefficients;
+use crate::defaults::with_defaults;
 use crate::leaves;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
@@ -55,33 +56,22 @@ pub enum FallingLaw {
     Linear,
 }
 
-/// How friction and initial slope depend on the creepage.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionLaw<P = f64> {
-    /// How friction falls.
-    pub falling_law: FallingLaw,
-    /// A: friction at infinite slip velocity over that without sliding, 0 to 1 [-].
-    pub falling_share: P,
-    /// B: decay with the slip velocity, ≥ 0 [s/m].
-    pub falling_decay: P,
-    /// k₀: initial slope over that of clean bodies, above 0 to 1 [-].
-    pub reduction: P,
-    /// α: what is left of k₀ at great creepages, 0 to 1 [-].
-    pub reduction_share: P,
-    /// β: decay from the one to the other with the creepage over that of saturation, ≥ 0 [-].
-    pub reduction_decay: P,
-}
-
-impl Default for FrictionLaw {
-    fn default() -> Self {
-        Self {
-            falling_law: FallingLaw::default(),
-            falling_share: 1.0,
-            falling_decay: 0.0,
-            reduction: 1.0,
-            reduction_share: 1.0,
-            reduction_decay: 0.0,
-        }
+with_defaults! {
+    /// How friction and initial slope depend on the creepage.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct FrictionLaw<P = f64> {
+        /// How friction falls.
+        pub falling_law: FallingLaw = FallingLaw::Exponential,
+        /// A: friction at infinite slip velocity over that without sliding, 0 to 1 [-].
+        pub falling_share: P = 1.0,
+        /// B: decay with the slip velocity, ≥ 0 [s/m].
+        pub falling_decay: P = 0.0,
+        /// k₀: initial slope over that of clean bodies, above 0 to 1 [-].
+        pub reduction: P = 1.0,
+        /// α: what is left of k₀ at great creepages, 0 to 1 [-].
+        pub reduction_share: P = 1.0,
+        /// β: decay from the one to the other with the creepage over that of saturation, ≥ 0 [-].
+        pub reduction_decay: P = 0.0,
     }
 }
 

@@ -36,7 +36,7 @@ pub use convergence::Convergence;
 pub use creep_number::CreepNumber;
 pub use forces::{CreepForce, StripForce};
 pub use loaded_zone::LoadedZone;
-pub use model::{Flexibilities, TangentialModel};
+pub use model::{Flexibilities, Settings, TangentialModel};
 pub use rolling::{Rolling, RollingState};
 pub use solve::Tangential;
 pub use under_law::UnderLaw;

@@ -15,6 +15,8 @@
 //! construction. Jumps concern the wear rate alone; no force follows from it at once. Every
 //! coefficient can be given.
 
+use crate::defaults::with_defaults;
+
 /// Wear law.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -113,53 +115,42 @@ pub struct Archard {
     pub speeds: [f64; 2],
 }
 
-/// Coefficients of all laws for one body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LawCoefficients {
-    /// Density, > 0 [kg/m³].
-    pub density: f64,
-    /// Of the law of frictional work.
-    pub frictional_work: FrictionalWork,
-    /// Of the USFD law.
-    pub usfd: Usfd,
-    /// Of the British Rail law.
-    pub british_rail: BritishRail,
-    /// Of Zobory's law.
-    pub zobory: Zobory,
-    /// Of Archard's law.
-    pub archard: Archard,
-}
-
-impl Default for LawCoefficients {
-    fn default() -> Self {
-        Self {
-            density: 7850.0,
-            frictional_work: FrictionalWork { coefficient: 1e-9 },
-            usfd: Usfd {
-                mild: 5.3e-9,
-                severe: 55.0e-3,
-                catastrophic: 61.9e-9,
-                limits: [10.4e6, 77.2e6],
-            },
-            british_rail: BritishRail {
-                mild: 0.25e-12,
-                severe: 25e-12,
-                catastrophic: 1.19e-12,
-                offset: 154e-12,
-                limits: [100.0, 200.0],
-            },
-            zobory: Zobory { mild: 7e-10, severe: 21e-10, limit: 4e6 },
-            // Dry, centres of the ranges of the map (1 to 10, 30 to 40 and 300 to 400, in 1e-4):
-            // 5.5 of the first is rounded to 5.
-            archard: Archard {
-                mild: 5e-4,
-                severe: 35e-4,
-                seizure: 350e-4,
-                hardness: 2.8e9,
-                pressure_share: 0.8,
-                speeds: [0.2, 0.7],
-            },
-        }
+with_defaults! {
+    /// Coefficients of all laws for one body.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct LawCoefficients {
+        /// Density, > 0 [kg/m³].
+        pub density: f64 = 7850.0,
+        /// Of the law of frictional work.
+        pub frictional_work: FrictionalWork = FrictionalWork { coefficient: 1e-9 },
+        /// Of the USFD law.
+        pub usfd: Usfd = Usfd {
+            mild: 5.3e-9,
+            severe: 55.0e-3,
+            catastrophic: 61.9e-9,
+            limits: [10.4e6, 77.2e6],
+        },
+        /// Of the British Rail law.
+        pub british_rail: BritishRail = BritishRail {
+            mild: 0.25e-12,
+            severe: 25e-12,
+            catastrophic: 1.19e-12,
+            offset: 154e-12,
+            limits: [100.0, 200.0],
+        },
+        /// Of Zobory's law.
+        pub zobory: Zobory = Zobory { mild: 7e-10, severe: 21e-10, limit: 4e6 },
+        // Dry, centres of the ranges of the map (1 to 10, 30 to 40 and 300 to 400, in 1e-4): 5.5 of
+        // the first is rounded to 5.
+        /// Of Archard's law.
+        pub archard: Archard = Archard {
+            mild: 5e-4,
+            severe: 35e-4,
+            seizure: 350e-4,
+            hardness: 2.8e9,
+            pressure_share: 0.8,
+            speeds: [0.2, 0.7],
+        },
     }
 }
 

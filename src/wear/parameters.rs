@@ -1,6 +1,7 @@
 //! What is fixed about wear over a run.
 
 use super::laws::{LawCoefficients, WearModel};
+use crate::defaults::with_defaults;
 use crate::error::ContactError;
 
 /// How the wear of a patch is spread across it.
@@ -15,40 +16,27 @@ pub enum WearDistribution {
     Strips,
 }
 
-/// Everything about wear that is fixed; one field for each FMU parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WearParameters {
-    /// Wear law, the same for wheel and rail.
-    pub model: WearModel,
-    /// How the wear of a patch is spread across it.
-    pub distribution: WearDistribution,
-    /// Every worn volume is multiplied by it, ≥ 0 [-].
-    pub acceleration_factor: f64,
-    /// Time after which the sums become new profiles, > 0 [s].
-    pub update_interval: f64,
-    /// Wavelength along the profile of which the smoothing of the wear depth keeps half the
-    /// amplitude, 0 to 0.02 [m]; 0 for none.
-    pub smoothing: f64,
-    /// Running distance of the wheel over which the volume worn off a rail is spread, > 0 [m].
-    pub rail_distance: f64,
-    /// Coefficients of the law for the wheel.
-    pub wheel: LawCoefficients,
-    /// Coefficients of the law for the rails.
-    pub rail: LawCoefficients,
-}
-
-impl Default for WearParameters {
-    fn default() -> Self {
-        Self {
-            model: WearModel::default(),
-            distribution: WearDistribution::default(),
-            acceleration_factor: 1.0,
-            update_interval: 0.01,
-            smoothing: 2e-3,
-            rail_distance: 1e3,
-            wheel: LawCoefficients::default(),
-            rail: LawCoefficients::default(),
-        }
+with_defaults! {
+    /// Everything about wear that is fixed; one field for each FMU parameter.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct WearParameters {
+        /// Wear law, the same for wheel and rail.
+        pub model: WearModel = WearModel::Off,
+        /// How the wear of a patch is spread across it.
+        pub distribution: WearDistribution = WearDistribution::Interpenetration,
+        /// Every worn volume is multiplied by it, ≥ 0 [-].
+        pub acceleration_factor: f64 = 1.0,
+        /// Time after which the sums become new profiles, > 0 [s].
+        pub update_interval: f64 = 0.01,
+        /// Wavelength along the profile of which the smoothing of the wear depth keeps half the
+        /// amplitude, 0 to 0.02 [m]; 0 for none.
+        pub smoothing: f64 = 2e-3,
+        /// Running distance of the wheel over which the volume worn off a rail is spread, > 0 [m].
+        pub rail_distance: f64 = 1e3,
+        /// Coefficients of the law for the wheel.
+        pub wheel: LawCoefficients = LawCoefficients::default(),
+        /// Coefficients of the law for the rails.
+        pub rail: LawCoefficients = LawCoefficients::default(),
     }
 }
 

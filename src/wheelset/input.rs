@@ -8,6 +8,7 @@ use crate::element::input::{RailMotion, WheelMotion};
 use crate::element::parameters::RAILS;
 use crate::error::ContactError;
 use crate::math::numbers::{Numbers, numbers};
+use crate::open::Open;
 
 /// All inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +65,8 @@ impl SideInput {
             friction: self.friction,
             tread_friction: self.tread_friction,
             gauge_face_friction: self.gauge_face_friction,
-            ..element::Input::default()
+            // By name, so that a further input is not left out here without a word.
+            open: Open::default(),
         }
     }
 
@@ -85,7 +87,8 @@ impl SideInput {
 }
 
 impl Default for Input {
-    /// The nominal position in the middle of the track, just lifted, at rest.
+    /// The nominal position in the middle of the track, just lifted, at rest; rails, load and friction
+    /// as by default of an [`element::Input`].
     fn default() -> Self {
         let input = element::Input::default();
         let [x, _, z] = input.wheel.position;

@@ -12,11 +12,11 @@ pub const TAPE_CIRCLE: f64 = 0.07;
 /// Everything fixed over a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// Distance of the flange backs, > 0; the wheel markers are the distance of the tape circle
-    /// farther out on both sides [m].
+    /// Distance of the flange backs, > 0, 1.36 by default; the wheel markers are the distance of the
+    /// tape circle farther out on both sides [m].
     pub flange_back_distance: f64,
     /// File with the irregularities of the rails over the station (five columns, see
-    /// `io::irregularity_file`); none if empty.
+    /// `io::irregularity_file`); none if empty, as by default.
     pub irregularity_file: String,
     /// Right and left wheel with their rails; each `side` is that of its place, whatever it says.
     pub sides: [element::Parameters; 2],

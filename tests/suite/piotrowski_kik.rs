@@ -12,7 +12,7 @@ use wheelrail::material::{Material, MaterialPair};
 use wheelrail::math::quadrature::GaussLegendre;
 use wheelrail::normal::{self, NormalProblem, Strips};
 use wheelrail::planar::{PlanarCase, solve};
-use wheelrail::tangential::{Creepage, RollingState, Tangential};
+use wheelrail::tangential::{Creepage, RollingState, Settings, Tangential};
 
 /// A separation that gives the printed results of table 1: a power of y on either side of the
 /// contact point, with a cusp that no spline carries. It is not the authors' curve.
@@ -59,13 +59,14 @@ fn table_1(model: NormalModel, fit: ShapeFit) -> ([f64; 5], [f64; 2]) {
     let creepage = Creepage { longitudinal: longitudinal - spin * zone.y, lateral: 0.0, spin };
     let state =
         RollingState { creepage, forward_share: 1.0, friction: 0.4, load_factor: 1.0, speed: 1.0 };
-    let mut fastsim = Tangential::new(
-        TangentialModel::Fastsim,
-        Flexibilities::Three,
-        TractionBound::Elliptic,
-        100,
-        [1; 2],
-    );
+    let settings = Settings {
+        flexibilities: Flexibilities::Three,
+        bound: TractionBound::Elliptic,
+        elements_along: 100,
+        elements: [1; 2],
+        strips: 1,
+    };
+    let mut fastsim = Tangential::new(TangentialModel::Fastsim, &settings);
     let pair = MaterialPair::new(steel, steel);
     let force = fastsim.creep_force(&zone, &strips, &pair, &state).unwrap();
     let normal = [

@@ -1,11 +1,7 @@
 //! What can be asked on the command line.
 
+use anyhow::Result;
 use clap::{Parser, Subcommand};
-
-use crate::{
-    compare, conicity, evaluate, fatigue, fit, linearize, pack, patch, plot, simulate, stress,
-    sweep, transient,
-};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -19,22 +15,38 @@ pub struct Arguments {
     pub command: Command,
 }
 
-/// The subcommands; their help stands with their arguments.
-#[derive(Debug, Subcommand)]
-pub enum Command {
-    Simulate(Box<simulate::Arguments>),
-    Evaluate(evaluate::Arguments),
-    Patch(patch::Arguments),
-    Conicity(conicity::Arguments),
-    Linearize(linearize::Arguments),
-    Compare(compare::Arguments),
-    Plot(plot::Arguments),
-    Stress(stress::Arguments),
-    Fatigue(fatigue::Arguments),
-    Transient(transient::Arguments),
-    Sweep(sweep::Arguments),
-    Fit(fit::Arguments),
-    Pack(pack::Arguments),
+/// The subcommands, each with its module, whose `Arguments` its `run` takes.
+macro_rules! commands {
+    ($($name:ident: $module:ident,)*) => {
+        /// The subcommands; their help stands with their arguments.
+        #[derive(Debug, Subcommand)]
+        pub enum Command {
+            $($name(Box<crate::$module::Arguments>),)*
+        }
+
+        impl Command {
+            /// Does what was asked.
+            pub fn run(&self) -> Result<()> {
+                match self { $(Self::$name(arguments) => crate::$module::run(arguments),)* }
+            }
+        }
+    };
+}
+
+commands! {
+    Simulate: simulate,
+    Evaluate: evaluate,
+    Patch: patch,
+    Conicity: conicity,
+    Linearize: linearize,
+    Compare: compare,
+    Plot: plot,
+    Stress: stress,
+    Fatigue: fatigue,
+    Transient: transient,
+    Sweep: sweep,
+    Fit: fit,
+    Pack: pack,
 }
 
 #[cfg(test)]

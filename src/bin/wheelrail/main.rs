@@ -32,25 +32,10 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use args::{Arguments, Command};
+use args::Arguments;
 
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Simulate(arguments) => simulate::run(&arguments),
-        Command::Evaluate(arguments) => evaluate::run(&arguments),
-        Command::Patch(arguments) => patch::run(&arguments),
-        Command::Conicity(arguments) => conicity::run(&arguments),
-        Command::Linearize(arguments) => linearize::run(&arguments),
-        Command::Compare(arguments) => compare::run(&arguments),
-        Command::Plot(arguments) => plot::run(&arguments),
-        Command::Stress(arguments) => stress::run(&arguments),
-        Command::Fatigue(arguments) => fatigue::run(&arguments),
-        Command::Sweep(arguments) => sweep::run(&arguments),
-        Command::Fit(arguments) => fit::run(&arguments),
-        Command::Transient(arguments) => transient::run(&arguments),
-        Command::Pack(arguments) => pack::run(&arguments),
-    };
-    match result {
+    match Arguments::parse().command.run() {
         Ok(()) => ExitCode::SUCCESS,
         // Whoever read the output has had enough, as `head` does.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,

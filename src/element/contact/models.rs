@@ -15,7 +15,7 @@ use crate::math::real::Real;
 use crate::normal::least_energy::{MIN_STRIPS, StripFollower, StripSolver};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{Descent, NormalModel, ShapeFit, Strips};
-use crate::tangential::{Tangential, TangentialModel};
+use crate::tangential::{Settings, Tangential, TangentialModel};
 
 /// Most loaded zones of one contact frame, and of a rail where it has no contact frames: as many as
 /// it may have overlaps.
@@ -155,6 +155,13 @@ impl Models {
         } else {
             zones * parameters.strips
         };
+        let settings = Settings {
+            flexibilities: parameters.flexibilities,
+            bound: parameters.bound,
+            elements_along: parameters.elements_along,
+            elements: parameters.normal_elements,
+            strips: most_strips,
+        };
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -164,16 +171,9 @@ impl Models {
                 // A given load is that of a wheel at rest on its rails.
                 VerticalMode::Load => 0.0,
             },
-            tangential: Tangential::new(
-                parameters.tangential_model,
-                parameters.flexibilities,
-                parameters.bound,
-                parameters.elements_along,
-                parameters.normal_elements,
-            )
-            .for_strips(most_strips)
-            .with_laws([parameters.friction_law, parameters.gauge_face_law])
-            .with_flash_temperature(parameters.flash_temperature),
+            tangential: Tangential::new(parameters.tangential_model, &settings)
+                .with_laws([parameters.friction_law, parameters.gauge_face_law])
+                .with_flash_temperature(parameters.flash_temperature),
             creepage: parameters.creepage_model,
             rolling: RollingZones::with_capacity(zones, most_strips),
             minimum_speed: parameters.minimum_speed,

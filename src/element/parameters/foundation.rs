@@ -7,6 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::defaults::with_defaults;
 use crate::open::Open;
 
 /// What of the foundation is taken into account.
@@ -22,34 +23,23 @@ pub enum FoundationModel {
     Mass,
 }
 
-/// What the rails of a side rest on; pairs are lateral and vertical.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Foundation {
-    /// What is taken into account.
-    pub model: FoundationModel,
-    /// Stiffness against the ground, > 0 [N/m].
-    pub stiffness: [f64; 2],
-    /// Damping against the ground of rails with a mass, ≥ 0 [N s/m].
-    pub damping: [f64; 2],
-    /// Mass that moves with the rails, > 0 [kg].
-    pub mass: f64,
-    /// Longest step in which rails with a mass are moved on by the units, > 0 [s].
-    pub longest_step: f64,
-    #[doc(hidden)]
-    pub open: Open,
-}
-
-impl Default for Foundation {
-    /// Rigid; the numbers are of the size that ballasted track has under one wheel.
-    fn default() -> Self {
-        Self {
-            model: FoundationModel::Rigid,
-            stiffness: [2e7, 7e7],
-            damping: [5e4, 1e5],
-            mass: 150.0,
-            longest_step: 1e-4,
-            open: Open::default(),
-        }
+with_defaults! {
+    /// What the rails of a side rest on; pairs are lateral and vertical. The numbers by default are
+    /// of the size that ballasted track has under one wheel.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Foundation {
+        /// What is taken into account.
+        pub model: FoundationModel = FoundationModel::Rigid,
+        /// Stiffness against the ground, > 0 [N/m].
+        pub stiffness: [f64; 2] = [2e7, 7e7],
+        /// Damping against the ground of rails with a mass, ≥ 0 [N s/m].
+        pub damping: [f64; 2] = [5e4, 1e5],
+        /// Mass that moves with the rails, > 0 [kg].
+        pub mass: f64 = 150.0,
+        /// Longest step in which rails with a mass are moved on by the units, > 0 [s].
+        pub longest_step: f64 = 1e-4,
+        #[doc(hidden)]
+        pub open: Open = Open::default(),
     }
 }
 

@@ -29,10 +29,7 @@ pub enum ProfileError {
     #[error("{file}: cannot be written: {reason}; name a file in a folder that exists")]
     Unwritable { file: String, reason: String },
     /// A file that is of none of the known formats.
-    #[error(
-        "{file}:{line}: not a profile: {what}; give a SIMPACK file (.prw, .prr), a MiniProf file \
-         (.whl, .ban) or text with the two columns y_mm z_mm"
-    )]
+    #[error("{file}:{line}: not a profile: {what}")]
     UnknownFormat { file: String, line: usize, what: String },
     /// A line that should hold a point and does not.
     #[error("{file}:{line}: \"{text}\" is not a point: {expected}")]

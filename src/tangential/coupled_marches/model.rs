@@ -11,6 +11,7 @@ use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::math::tape::Taped;
 use crate::tangential::boundary_element::LoadedElements;
+use crate::tangential::convergence::Convergence;
 use crate::tangential::creep_number::CreepNumber;
 use crate::tangential::equivalent_ellipse::{EquivalentEllipse, LoadedPart};
 use crate::tangential::field::ContactField;
@@ -162,8 +163,8 @@ impl CoupledMarches {
         &mut self,
         zones: &(impl Iterator<Item = (usize, RollingZone<'a, T>)> + Clone),
         mut each: impl FnMut(usize, usize, StripForce<T>),
-    ) {
-        let Some((_, any)) = zones.clone().next() else { return };
+    ) -> Convergence {
+        let Some((_, any)) = zones.clone().next() else { return Convergence::default() };
         let poisson_ratio = any.loaded.material.poisson_ratio;
         for rolling in [Rolling::Forward, Rolling::Backward] {
             if zones.clone().all(|(_, zone)| zone.share(rolling) <= 0.0) {
@@ -186,6 +187,7 @@ impl CoupledMarches {
                 }
             });
         }
+        Convergence::default()
     }
 
     /// Enters the tractions of a zone that rolls forward into `field`, whose grid is that of

@@ -9,7 +9,7 @@ use wheelrail::material::MaterialPair;
 use wheelrail::normal::{Strips, Zone};
 use wheelrail::planar::{PlanarCase, solve};
 use wheelrail::tangential::fastsim::TractionBound;
-use wheelrail::tangential::{RollingState, RollingZone, Tangential};
+use wheelrail::tangential::{RollingState, RollingZone, Settings, Tangential};
 
 /// Strips of one zone as a normal model could leave them, only rougher: each of its own.
 fn any_zone() -> impl Strategy<Value = (Zone, Strips)> {
@@ -47,6 +47,11 @@ fn any_zone() -> impl Strategy<Value = (Zone, Strips)> {
     })
 }
 
+/// Settings of a model with few elements.
+fn settings(flexibilities: Flexibilities, bound: TractionBound) -> Settings {
+    Settings { flexibilities, bound, elements_along: 10, elements: [8, 8], strips: 8 }
+}
+
 #[test]
 fn no_strip_carries_more_than_friction_times_its_pressure() {
     let tangential: Vec<_> = [TractionBound::Elliptic, TractionBound::Parabolic]
@@ -54,7 +59,7 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
         .flat_map(|bound| BOUNDED.map(|model| (model, bound)))
         .flat_map(|pair| [Flexibilities::Three, Flexibilities::Blended].map(|f| (pair, f)))
         .map(|((model, bound), flexibilities)| {
-            (model, bound, Tangential::new(model, flexibilities, bound, 10, [8, 8]))
+            (model, bound, Tangential::new(model, &settings(flexibilities, bound)))
         })
         .collect();
     let material = MaterialPair::new(STEEL, STEEL);
@@ -132,8 +137,8 @@ fn ellipse(ratio: f64, count: usize) -> (Zone, Strips) {
 #[test]
 fn friction_on_an_ellipse_takes_energy() {
     let models = BOUNDED.map(|model| {
-        let bound = TractionBound::Elliptic;
-        (model, Tangential::new(model, Flexibilities::Three, bound, 10, [8, 8]))
+        let settings = settings(Flexibilities::Three, TractionBound::Elliptic);
+        (model, Tangential::new(model, &settings))
     });
     let material = MaterialPair::new(STEEL, STEEL);
     let creepage = [around(0.0, 1.0), around(0.0, 1.0), around(0.0, 1.0)];
