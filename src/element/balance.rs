@@ -85,8 +85,9 @@ pub(crate) struct Balance {
     depth: f64,
     last: Placed,
     left: [f64; 3],
-    /// How much the lateral force over the vertical one still changes, as far as poses tell.
-    turned: f64,
+    /// By how much the lateral force over the vertical one changes with what is left of the way, as
+    /// poses tell; 0 before there are two.
+    turning: f64,
 }
 
 impl Balance {
@@ -94,7 +95,7 @@ impl Balance {
     pub fn at(first: &Placed, held: Held, y: f64) -> Self {
         let depth = held.load / first.stiffness * (first.normal / held.load).cbrt();
         let (last, left) = (*first, [0.0; 3]);
-        let mut balance = Self { held, depth, last, left, turned: 0.0 };
+        let mut balance = Self { held, depth, last, left, turning: 0.0 };
         balance.left = balance.residuals(first, y);
         balance
     }
@@ -142,9 +143,9 @@ impl Balance {
 
     /// Residuals at another pose with the deflection `y`.
     pub fn take(&mut self, here: &Placed, y: f64) -> [f64; 3] {
-        let [turned, before] = [self.last.aside, self.left[0]];
+        let [aside, before] = [self.last.aside, self.left[0]];
         let left = self.take_again(here, y);
-        self.turned = (here.aside - turned) * left[0] / (before - left[0]);
+        self.turning = (here.aside - aside) / (before - left[0]);
         left
     }
 
@@ -178,7 +179,7 @@ impl Balance {
         let wrong = believed.map_or(WRONG[1], |share| (share - 1.0).abs().max(WRONG[0]));
         let is_placed = match last.before {
             // The vertical force is the load, the lateral one the load times `aside`.
-            None => (wrong * way).abs() + self.turned.abs() <= MISPLACED,
+            None => (wrong + self.turning.abs()) * way.abs() <= MISPLACED,
             Some(before) => (load - before).abs() <= MISSING * load,
         };
         is_placed && self.lateral().abs() <= MISPLACED

@@ -155,6 +155,23 @@ fn rails_rest_where_the_springs_hold_the_contact_forces_whatever_was_before() {
     }
 }
 
+/// A pose at which strips are taken and left out as the search for the load goes on.
+#[test]
+fn rails_rest_where_strips_come_and_go_on_the_way_to_the_load() {
+    let mut parameters = on_springs(VerticalMode::Load);
+    parameters.rails[0].profile = "54E1".into();
+    let mut input = rolling(0.0, 50.202);
+    let wheel = &mut input.wheel;
+    wheel.position[1] = 0.758_106_306_905_889_5;
+    (wheel.roll, wheel.yaw) = (0.009_723_962_350_286_075, 0.003_392_340_061_169_093_4);
+    (wheel.velocity[1], wheel.pitch_rate) = (0.045_130_374_874_418_594, -109.535_227);
+    (input.wheel_load, input.friction) = (71_278.539_835_531_7, 0.096_500_974_236_848_53);
+    let output = evaluate(&mut element(&parameters), &input);
+    let held = parameters.foundation.stiffness[0] * output.foundation.deflection[0];
+    let left = (held + output.wheel.force[1]).abs();
+    assert!(left <= tolerance::RAIL_AT_REST * input.wheel_load, "{left}");
+}
+
 #[test]
 fn springs_that_do_not_give_way_are_none_and_a_lifted_wheel_needs_no_search() {
     let foundation = massless([RIGID; 2]);

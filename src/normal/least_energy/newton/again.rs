@@ -16,11 +16,11 @@ impl Newton {
     ) -> bool {
         let Self { problem, system, load, above, .. } = self;
         // Solutions are alike, each about its own nodes: a deeper wheel has the same χ, and loads per
-        // width over those of the ellipse.
+        // width over those of the ellipse. Nodes that were taken on the way are those of the factor.
         system.shape.copy_from_slice(&above.shape);
-        let nodes = problem.points.iter().zip(lattice.nodes.iter());
-        for ((load, above), (point, node)) in load.iter_mut().zip(above.load.iter()).zip(nodes) {
-            *load = above * node.width / point.width;
+        load.fill(0.0);
+        for &i in system.nodes.iter() {
+            load[i] = above.load[i] * lattice.nodes[i].width / problem.points[i].width;
         }
         problem.take(lattice);
         simd.apart(
