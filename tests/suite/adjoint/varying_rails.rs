@@ -16,7 +16,7 @@ fn ways() -> Vec<(&'static str, Parameters, Option<tempfile::TempDir>)> {
     corrugated.rails[0].position = [0.7525, 0.0];
     let mut all = vec![("roller", roller, None), ("roller at its origin", corrugated, None)];
     for normal_model in [NormalModel::Strips, NormalModel::PiotrowskiKik, NormalModel::Hertz] {
-        let places = (-30..=30).map(|i| 20.0 * f64::from(i));
+        let places = (-15..=15).map(|i| 40.0 * f64::from(i));
         let folder = slices(places, |place| head(bent(place)));
         let mut parameters = of_slices(Parameters { normal_model, ..smooth.clone() });
         parameters.rails[0].profile = folder.path().join("rail.slcs").to_str().unwrap().into();
