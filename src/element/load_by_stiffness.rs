@@ -141,15 +141,13 @@ impl Element {
     ) -> Option<Found> {
         let mut search = None::<(Balance, Broyden<3>)>;
         let (Way { mut about, mut pose, to }, mut first) = (way, 0.0);
-        let (mut believed, mut no_room) = (None, 0);
+        let mut believed = None;
         for _ in 0..MOST_POSES {
             *input = self.put(given, &held, &about);
             let here = self.press(&about, pose, input, output)?;
             let Placed { z, way, normal, stiffness, left_out, .. } = here;
             let tried = Carried { normal, ..about };
-            let is_same = matches!(pose, Pose::Same(_));
-            // Contacts are searched for once at a pose.
-            no_room = if is_same { left_out.max(no_room) } else { left_out };
+            let is_same = pose.is_same();
             let (balance, search) = if let Some((balance, search)) = &mut search {
                 let take = if is_same { Balance::take_again } else { Balance::take };
                 let left = take(balance, &here, about.aside);
@@ -167,14 +165,15 @@ impl Element {
             if is_placed && balance.is_carried() {
                 let z = if here.before.is_some() { z } else { z + way };
                 let carried = Carried { z, normal, stiffness, ..about };
-                return Some(Found { carried, at_once: first / about.aside, left_out: no_room });
+                return Some(Found { carried, at_once: first / about.aside, left_out });
             }
             let [at, step] = search.next()?;
             if believed.is_some() && step.amax() > LONGEST {
                 return None;
             }
             let next = balance.carried(at.into());
-            if is_placed {
+            // Contacts that found no room are told by a search alone.
+            if is_placed && left_out == 0 {
                 // The geometry is that of the pose: it is the load that has to change.
                 (about, pose) = (Carried { normal: next.normal, ..tried }, Pose::Same(way));
                 continue;

@@ -32,7 +32,7 @@ pub struct Wrench<T = f64> {
 /// With flat and kinematic creepage that is [`Output::wheel`]'s force, summed over the patches. With
 /// curved creepage, the default, the tractions of each strip lie in its own tangent plane, so that
 /// they have a resultant along n too, which `wheel` and `rails` have and no patch tells: on S1002
-/// and 60E1 up to 0.3 % of N, on a gauge corner, and 3 % with Piotrowski and Kik, whose patches wrap
+/// and 60E1 some thousandths of N on a gauge corner, more with Piotrowski and Kik, whose patches wrap
 /// around it. On bodies uneven along the track n leans ahead, which γ does not tell either.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]

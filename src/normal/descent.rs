@@ -53,11 +53,6 @@ impl Descent {
         Self { pose, way, ..self }
     }
 
-    /// Whether geometry and loads of the last problem still hold.
-    pub fn is_at_the_same_pose(&self) -> bool {
-        matches!(self.pose, Pose::Same(_))
-    }
-
     /// Share of the way down by which the overlap at a place with so much unit `tangent` grows.
     pub fn cosine(&self, tangent: [f64; 2]) -> f64 {
         tangent[0] * self.down[1] - tangent[1] * self.down[0]
@@ -122,6 +117,13 @@ pub enum Pose {
     Near,
     /// It is the same, so far above where the last loads are [m].
     Same(f64),
+}
+
+impl Pose {
+    /// Whether geometry and loads of the last problem still hold.
+    pub fn is_same(self) -> bool {
+        matches!(self, Self::Same(_))
+    }
 }
 
 /// What is known of how a force grows on the way down.

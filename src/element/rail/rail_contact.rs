@@ -178,6 +178,7 @@ impl RailContact {
     /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds
     /// show that there are none.
     pub(in crate::element) fn search_contacts(&mut self, k: usize, input: &Input) -> bool {
+        // Where bounds show that there are none, none of another pose are left.
         self.search.contacts.clear();
         let level = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         if self.around.is_none() && !self.find_ranges(input, &level) {

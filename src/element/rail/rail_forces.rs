@@ -78,7 +78,11 @@ impl RailContact {
         sunk: &mut Option<f64>,
     ) -> u64 {
         let before = (self.search.evaluations, self.search.left_out);
-        let is_same = models.descent.is_some_and(|descent| descent.is_at_the_same_pose());
+        // What the search has found at a pose stays.
+        let is_same = models.descent.is_some_and(|descent| descent.pose.is_same());
+        if is_same && self.search.contacts.is_empty() {
+            return 0;
+        }
         if !is_same && !self.search_contacts(k, input) {
             work.lifted += 1;
             return 0;

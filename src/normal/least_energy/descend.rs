@@ -16,7 +16,7 @@ impl StripSolver {
             let [reached, stiffness] = newton.carried(cosines);
             [reached * unit, stiffness * unit]
         };
-        if !descent.is_at_the_same_pose() {
+        if !descent.pose.is_same() {
             newton.keep_pose();
         }
         if descent.pose == Pose::New {

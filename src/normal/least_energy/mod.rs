@@ -127,8 +127,7 @@ impl StripSolver {
     ) -> usize {
         self.work.solved += 1;
         let pose = descent.as_ref().map_or(Pose::New, |descent| descent.pose);
-        let is_same = descent.as_ref().is_some_and(|descent| descent.is_at_the_same_pose());
-        if !is_same {
+        if !pose.is_same() {
             self.newton.residual = 0.0;
             self.overlaps.fill(line, probes, level);
             self.lattice.lay(line, &self.overlaps);
@@ -137,7 +136,7 @@ impl StripSolver {
             return 0;
         }
         let before = self.newton.steps;
-        let mut settled = is_same || self.newton.solve(&self.lattice, pose == Pose::Near);
+        let mut settled = pose.is_same() || self.newton.solve(&self.lattice, pose == Pose::Near);
         if let Some(descent) = descent {
             settled &= self.descend(descent, contact_modulus);
         }

@@ -102,10 +102,6 @@ impl Solution {
         Self { load: FixedVec::new(nodes), shape: FixedVec::new(knots) }
     }
 
-    fn is_of(&self, load: &[f64]) -> bool {
-        self.load.len() == load.len()
-    }
-
     fn keep(&mut self, load: &[f64], shape: &[f64]) {
         self.load.clear();
         self.load.extend_from_slice(load);
@@ -224,7 +220,7 @@ impl Newton {
     #[inline(always)]
     fn solve_with<S: Simd>(&mut self, simd: S, lattice: &Lattice, is_near: bool) -> bool {
         let table = &Kernel::shared().coefficients;
-        if is_near && self.above.is_of(&self.load) && self.problem.has_nodes_of(lattice) {
+        if is_near && !self.above.load.is_empty() && self.problem.has_nodes_of(lattice) {
             return self.solve_again(simd, table, lattice);
         }
         self.above.load.clear();
