@@ -24,7 +24,7 @@ use crate::normal::{Descent, Pose, way_between};
 
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
 const MISSING: f64 = 1e-10;
-const MISPLACED: f64 = 1e-9;
+const MISPLACED: f64 = 5e-10;
 /// What may be left at the last pose but one, where an evaluation by itself follows: the step to it
 /// leaves a thousandth of that, less than [`MISSING`].
 const NEARLY: f64 = 1e-8;
@@ -34,8 +34,11 @@ pub(crate) const MOST_POSES: usize = 12;
 /// what is there. A wheel is off its rail at 1.5.
 pub(crate) const LONGEST: f64 = 0.5;
 /// Share of a way that the geometry is wrong by at least, whatever poses tell, and where there is
-/// one pose alone: what lateral forces on flanges change by.
+/// one pose alone.
 const WRONG: [f64; 2] = [1e-3, 0.05];
+/// Lateral force that is wrong then over the load, the way and the slope across of the contact: on
+/// flanges normals turn on the way.
+const TURNING: f64 = 0.1;
 
 /// A pose, and what its geometry led to.
 #[derive(Clone, Copy, Debug)]
@@ -85,9 +88,6 @@ pub(crate) struct Balance {
     depth: f64,
     last: Placed,
     left: [f64; 3],
-    /// By how much the lateral force over the vertical one changes with what is left of the way, as
-    /// poses tell; 0 before there are two.
-    turning: f64,
 }
 
 impl Balance {
@@ -95,7 +95,7 @@ impl Balance {
     pub fn at(first: &Placed, held: Held, y: f64) -> Self {
         let depth = held.load / first.stiffness * (first.normal / held.load).cbrt();
         let (last, left) = (*first, [0.0; 3]);
-        let mut balance = Self { held, depth, last, left, turning: 0.0 };
+        let mut balance = Self { held, depth, last, left };
         balance.left = balance.residuals(first, y);
         balance
     }
@@ -141,16 +141,8 @@ impl Balance {
         [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]]
     }
 
-    /// Residuals at another pose with the deflection `y`.
+    /// Residuals at another pose, or with other forces, with the deflection `y`.
     pub fn take(&mut self, here: &Placed, y: f64) -> [f64; 3] {
-        let [aside, before] = [self.last.aside, self.left[0]];
-        let left = self.take_again(here, y);
-        self.turning = (here.aside - aside) / (before - left[0]);
-        left
-    }
-
-    /// The same at the last pose once more, with other forces.
-    pub fn take_again(&mut self, here: &Placed, y: f64) -> [f64; 3] {
         (self.last, self.left) = (*here, self.residuals(here, y));
         self.left
     }
@@ -173,13 +165,17 @@ impl Balance {
     }
 
     /// Whether the last pose is where the wheel is carried but for its way down, where a way is
-    /// `believed` to take so much off itself, if more than one pose tells that.
+    /// `believed` to take so much off itself, if more than one pose tells that. Load that is missing
+    /// makes it longer.
     pub fn is_placed(&self, believed: Option<f64>) -> bool {
-        let Self { held: Held { load, .. }, last, left: [way, ..], .. } = *self;
+        let Self { held: Held { load, .. }, last, left: [way, missing, _], .. } = *self;
         let wrong = believed.map_or(WRONG[1], |share| (share - 1.0).abs().max(WRONG[0]));
         let is_placed = match last.before {
             // The vertical force is the load, the lateral one the load times `aside`.
-            None => (wrong + self.turning.abs()) * way.abs() <= MISPLACED,
+            None => {
+                let wrong = wrong + TURNING * last.slope.abs();
+                wrong * (way.abs() + missing.abs()) <= MISPLACED
+            }
             Some(before) => (load - before).abs() <= MISSING * load,
         };
         is_placed && self.lateral().abs() <= MISPLACED

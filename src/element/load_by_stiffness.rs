@@ -2,8 +2,8 @@
 //! deflection aside of rails without mass.
 //!
 //! The [`balance`](super::balance) of a pose says which one to try next, each but the first from the
-//! solution of the one before. Where the first one is say contacts by themselves, with their creep
-//! forces. Where the geometry of a pose will do and load is missing, it is its forces that are found
+//! solution of the one before. Where the first one is say the ellipses of the overlaps that strips are
+//! pressed by, or contacts by themselves, with creep forces. Where the geometry of a pose will do and load is missing, it is its forces that are found
 //! anew.
 
 use nalgebra::SMatrix;
@@ -19,6 +19,11 @@ use crate::normal::{Descent, Pose, way_between};
 
 /// Depth over that of the load about from which on a pose is too far for a guess.
 const FAR: f64 = 3.0;
+/// Way over that depth up to which an overlap tells how strips would press farther down: a thirtieth
+/// of its square or so is left of it, about as much as friction bears on a tread.
+const NEAR: f64 = 0.1;
+/// Most guesses of how far rails without mass are aside: on flanges forces fall steeply as they go.
+const MOST_GUESSES: usize = 6;
 
 /// How far a balance is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,9 +48,6 @@ pub(super) struct Way {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     pub carried: Carried,
-    /// How far rails without mass went at once, as the forces of the first pose would have it, over
-    /// how far they are aside [-].
-    pub at_once: f64,
     /// Contacts and zones that found no room.
     pub left_out: u64,
 }
@@ -72,9 +74,9 @@ impl PosedWheel {
 }
 
 impl Element {
-    /// Says about how the load of the next evaluation will be carried, if that is known, at a pose
-    /// near that of the last one.
-    pub(crate) fn expect(&mut self, carried: Option<Carried>) {
+    /// Says about how the load of the next evaluation will be carried, if that is known, and what its
+    /// pose has to do with that of the last one.
+    pub(crate) fn expect(&mut self, carried: Option<(Carried, Pose)>) {
         self.expected = carried;
     }
 
@@ -107,14 +109,14 @@ impl Element {
     pub(super) fn load_by_stiffness(
         &mut self,
         clear: f64,
-        expected: Option<Carried>,
+        expected: Option<(Carried, Pose)>,
         input: &mut Input,
         output: &mut Output,
     ) -> Option<u64> {
         let held = Held { load: input.wheel_load, lateral_stiffness: None };
         let given = *input;
-        let mut found = expected.and_then(|about| {
-            let way = Way { about, pose: Pose::Near, to: To::TheEnd };
+        let mut found = expected.and_then(|(about, pose)| {
+            let way = Way { about, pose, to: To::TheEnd };
             self.balanced(held, way, &given, input, output)
         });
         if found.is_none() {
@@ -140,7 +142,7 @@ impl Element {
         output: &mut Output,
     ) -> Option<Found> {
         let mut search = None::<(Balance, Broyden<3>)>;
-        let (Way { mut about, mut pose, to }, mut first) = (way, 0.0);
+        let Way { mut about, mut pose, to } = way;
         let mut believed = None;
         for _ in 0..MOST_POSES {
             *input = self.put(given, &held, &about);
@@ -149,37 +151,37 @@ impl Element {
             let tried = Carried { normal, ..about };
             let is_same = pose.is_same();
             let (balance, search) = if let Some((balance, search)) = &mut search {
-                let take = if is_same { Balance::take_again } else { Balance::take };
-                let left = take(balance, &here, about.aside);
+                let left = balance.take(&here, about.aside);
                 search.take(balance.unknowns(&tried).into(), left.into());
                 if !is_same {
                     believed = Some(search.matrix()[(0, 0)]);
                 }
                 (balance, search)
             } else {
-                let (balance, begun) = search.insert(begin(&here, held, &tried));
-                first = about.aside + balance.left()[2] * balance.depth();
-                (balance, begun)
+                let (balance, search) = search.insert(begin(&here, held, &tried));
+                (balance, search)
             };
             let is_placed = balance.is_placed(believed);
             if is_placed && balance.is_carried() {
                 let z = if here.before.is_some() { z } else { z + way };
                 let carried = Carried { z, normal, stiffness, ..about };
-                return Some(Found { carried, at_once: first / about.aside, left_out });
+                return Some(Found { carried, left_out });
+            }
+            // Contacts that found no room are told by a search alone.
+            if is_placed && left_out == 0 {
+                // The geometry is that of the pose: it is the load alone that has to change.
+                let [z, _, aside] = balance.unknowns(&tried);
+                let normal = balance.carried([z, search.next_alone(1), aside]).normal;
+                (about, pose) = (Carried { normal, ..tried }, Pose::Same(way));
+                continue;
             }
             let [at, step] = search.next()?;
-            if believed.is_some() && step.amax() > LONGEST {
+            if believed.is_some() && step.fixed_rows::<2>(0).amax() > LONGEST {
                 return None;
             }
             let next = balance.carried(at.into());
-            // Contacts that found no room are told by a search alone.
-            if is_placed && left_out == 0 {
-                // The geometry is that of the pose: it is the load that has to change.
-                (about, pose) = (Carried { normal: next.normal, ..tried }, Pose::Same(way));
-                continue;
-            }
             if to == To::OneBefore && balance.is_nearly_met() {
-                return Some(Found { carried: next, at_once: first / about.aside, left_out });
+                return Some(Found { carried: next, left_out });
             }
             (about, pose) = (next, Pose::Near);
         }
@@ -192,25 +194,45 @@ impl Element {
     pub(crate) fn guess_load(&mut self, input: &Input, output: &mut Output) -> Option<Carried> {
         let given = self.side.mirror(*input);
         let held = self.held_under_load(&given).filter(|_| input.wheel_load > 0.0)?;
-        let about = self.guess_held(&held, &given, output)?;
+        let (about, _) = self.guess_held(&held, &given, output)?;
         heaviest_first(&mut self.models.patches);
         output.patches[0] = *self.models.patches.first()?;
         self.side.mirror_in_place(output);
         Some(about)
     }
 
-    /// The same for `given` (right side), which is `held` so, with the forces of all patches.
+    /// The same for `given` (right side), which is `held` so, with the forces of all patches; and how
+    /// far aside the forces on rails that have not gone aside would put them [m].
     pub(super) fn guess_held(
         &mut self,
         held: &Held,
         given: &Input,
         output: &mut Output,
-    ) -> Option<Carried> {
+    ) -> Option<(Carried, f64)> {
         // From above, whatever the height given.
         let nowhere = Carried { z: -self.nominal_radius, normal: 0.0, stiffness: 0.0, aside: 0.0 };
-        let mut input = self.put(given, held, &nowhere);
-        let clear = self.height_near_touch(&input);
-        if clear.is_finite() { self.guess(clear, &mut input, output) } else { None }
+        let (mut aside, mut guessed, mut before) = (0.0, None, None::<[f64; 2]>);
+        for _ in 0..MOST_GUESSES {
+            let mut input = self.put(given, held, &Carried { aside, ..nowhere });
+            let clear = self.height_near_touch(&input);
+            if !clear.is_finite() {
+                return None;
+            }
+            let about = Carried { aside, ..self.guess(clear, &mut input, output)? };
+            let Some(lateral_stiffness) = held.lateral_stiffness else { return Some((about, 0.0)) };
+            let [_, lateral, vertical] = output.wheel.force;
+            let to = lateral / vertical * held.load / lateral_stiffness;
+            let at_once = guessed.map_or(to, |(_, at_once)| at_once);
+            guessed = Some((about, at_once));
+            let left = to - aside;
+            if left.abs() <= NEAR * held.load / about.stiffness {
+                break;
+            }
+            let share = before.map_or(1.0, |[y, before]| (aside - y) / (before - left));
+            before = Some([aside, left]);
+            aside += share * left;
+        }
+        guessed
     }
 
     /// The pose of `input` under its load, with what is known `about` how it is carried there.
@@ -234,6 +256,8 @@ impl Element {
         let load = input.wheel_load;
         let depth = (load / STIFFNESS).powf(2.0 / 3.0);
         let mut step = depth.clamp(FIRST_STEP[0], FIRST_STEP[1]);
+        let is_of_overlap = self.models.strip_solver.is_some();
+        let mut longest = if is_of_overlap { NEAR * depth } else { f64::INFINITY };
         let (mut z, mut most_lift) = (clear, FAR * depth);
         for _ in 0..MAX_STEPS {
             z += step;
@@ -244,7 +268,8 @@ impl Element {
             let (mut met, mut nearest) = (None, f64::NEG_INFINITY);
             for (k, rail) in rails.iter_mut().enumerate() {
                 let Some(rail) = rail else { continue };
-                match rail.way_down(k, input, [load, most_lift], models, output, work) {
+                let bounds = [load, most_lift, longest];
+                match rail.way_down(k, input, bounds, models, output, work) {
                     Err(lift) => nearest = nearest.max(lift),
                     Ok(_) if met.is_some() => return None,
                     Ok(descent) => met = Some(descent),
@@ -260,7 +285,14 @@ impl Element {
                 continue;
             };
             let Descent { way, reached, stiffness, .. } = descent;
-            let ratio = -output.wheel.force[2] / reached;
+            if way.abs() > longest {
+                // Once as well.
+                (step, longest) = (way, f64::INFINITY);
+                continue;
+            }
+            let patches = self.models.patches.iter();
+            let here: f64 = patches.map(|p| p.normal_force * p.contact_angle.cos()).sum();
+            let ratio = -output.wheel.force[2] / here;
             let normal = load / ratio;
             let z = z + way + way_between(reached, stiffness, normal);
             let is_there = ratio > 0.0 && stiffness > 0.0 && z.is_finite();

@@ -7,11 +7,11 @@
 //! K d = F(d),   K = diag(k_y, k_z)
 //! ```
 //!
-//! Under a wheel of given height it is found by Newton's method with the exact derivatives of F,
-//! each step shortened until the correction that follows it is the smaller one (natural
-//! monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is
-//! much smaller Broyden's correction of the derivatives serves for the next step; under a given
-//! load, which says how far the rails sink, the lateral deflection is found in the
+//! Under a wheel of given height it is found with the stiffness of the patches, corrected step by
+//! step by Broyden's method as long as steps tell that it does, and else by Newton's method with the
+//! exact derivatives of F, each step shortened until the correction that follows it is the smaller
+//! one (natural monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3);
+//! under a given load, which says how far the rails sink, the lateral deflection is found in the
 //! [`balance`](super::balance) of the load or, where that does not lead to the first one on the way
 //! out for sure, by bracketed secants.
 //! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
@@ -35,10 +35,14 @@ use crate::normal::Pose;
 const MAX_STEPS: usize = 40;
 /// A matrix serves for one more step, with Broyden's correction, where the correction that followed
 /// a step was this share of it or less.
-const KEPT: f64 = 0.1;
+const KEPT: f64 = 0.3;
 /// Shortest share of a step.
 const SHORTEST: f64 = 1.0 / 1024.0;
-/// Deflections are found to this [m]: 1e-9 of a small wheel load on a stiff contact.
+/// Under a wheel of given height deflections are found to this share of the penetration, half of 1e-9
+/// of the force, or the last digits of coordinates [m].
+const RESOLVED: f64 = 3e-10;
+const ROUNDING: f64 = 1e-15;
+/// Under a given load they are found to this [m]: 1e-9 of a small one on a stiff contact.
 const RESOLUTION: f64 = 1e-14;
 /// Correction left from which on the equilibrium counts as missed [m]: a thousandth of what wheel
 /// and rail overlap.
@@ -51,8 +55,6 @@ const NEAR: f64 = 1e-5;
 /// Greatest growth of the deflection that springs let rails have with that which they have, on the
 /// way out from none, up to which there is one solution about [-].
 const MOST_GROWTH: f64 = 0.5;
-/// Load over penetration^(3/2) of a wheel on a rail, for the first guess [N/m^1.5].
-const STIFFNESS: f64 = 7e10;
 
 /// Trials of lateral deflections under a given load, each from the one before where that is near.
 struct Trials<'a> {
@@ -67,11 +69,24 @@ impl Trials<'_> {
     /// How much farther the springs would let rails go from `y` [m].
     fn left(&mut self, y: f64, input: &mut Input, output: &mut Output) -> f64 {
         let step = y - self.last;
-        self.element.expect(self.carried.filter(|_| step.abs() <= NEAR));
+        let carried = self.carried.filter(|_| step.abs() <= NEAR);
+        self.element.expect(carried.map(|carried| (carried, Pose::Near)));
         let ([left, _], _) = self.element.try_deflection(self.given, [y, self.sunk], input, output);
         (self.carried, self.last) = (self.element.carried, y);
         left
     }
+}
+
+/// How rails without mass rest under an input.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rested {
+    /// The input, without its height where a load is given.
+    under: Input,
+    deflection: [f64; 2],
+    /// What is left of the way to the deflection [m].
+    left: f64,
+    /// About how the load is carried there, if that is given and known.
+    carried: Option<Carried>,
 }
 
 /// The input with a height that is the same for all.
@@ -116,18 +131,24 @@ impl Element {
         output: &mut Output,
     ) -> ([f64; 2], f64, u64) {
         let given = *input;
-        if let Some((known, deflection, left)) = self.rested
-            && known == given
+        if let Some(Rested { under, deflection, left, .. }) = self.rested
+            && under == given
         {
             let (_, fallbacks) = self.try_deflection(&given, deflection, input, output);
             return (deflection, left, fallbacks);
         }
-        let mut deflection = self.first_guess(&given);
+        let mut deflection = [0.0; 2];
         let (mut rest, mut fallbacks) = self.try_deflection(&given, deflection, input, output);
+        if let Some(share) = self.share_left(rest) {
+            deflection = rest.map(|rest| rest * share);
+            (rest, fallbacks) = self.try_deflection(&given, deflection, input, output);
+        }
+        let penetrations = self.models.patches.iter().map(|patch| patch.penetration);
+        let resolution = (RESOLVED * penetrations.fold(0.0, f64::max)).max(ROUNDING);
         // Under a lifted wheel they rest at once.
         let mut left = length(rest);
-        let (mut steps, mut kept) = (0, None);
-        while left > RESOLUTION && steps < MAX_STEPS {
+        let (mut steps, mut kept) = (0, Some(self.yielding()));
+        while left > resolution && steps < MAX_STEPS {
             steps += 1;
             let matrix = kept
                 .unwrap_or_else(|| self.compliance(&given.with_rails_moved(deflection, [0.0; 2])));
@@ -139,11 +160,11 @@ impl Element {
                 let found = self.try_deflection(&given, trial, input, output);
                 let next = solve(matrix, found.0).map_or(f64::INFINITY, length);
                 let most = if kept.is_some() { KEPT } else { 1.0 - 0.25 * share };
-                if next <= most * left || next <= RESOLUTION {
+                if next <= most * left || next <= resolution {
                     break Some((trial, found, next));
                 }
                 share *= 0.5;
-                if kept.is_some() || share < SHORTEST || share * left < RESOLUTION {
+                if kept.is_some() || share < SHORTEST || share * left < resolution {
                     break None;
                 }
             };
@@ -158,7 +179,7 @@ impl Element {
             kept = (next <= KEPT * left).then(|| corrected(matrix, found.0, step));
             (deflection, (rest, fallbacks), left) = (trial, found, next);
         }
-        self.rested = Some((given, deflection, left));
+        self.rested = Some(Rested { under: given, deflection, left, carried: None });
         (deflection, left, fallbacks)
     }
 
@@ -167,35 +188,39 @@ impl Element {
     /// the way out from none is taken.
     fn rest_under_load(&mut self, input: &mut Input, output: &mut Output) -> ([f64; 2], f64, u64) {
         let given = *input;
-        let key = without_height(&given);
-        let (y, left) = match self.rested {
-            Some((known, [y, _], left)) if known == key => (y, left),
-            _ => self
-                .aside_by_stiffness(&given, input, output)
-                .unwrap_or_else(|| self.aside_from_none(&given, input, output)),
-        };
-        // The forces are those of rails that are put there, whatever led to it.
-        let deflection = [y, self.sunk_under_load(&given)];
+        let under = without_height(&given);
+        let rested = self.rested.filter(|rested| rested.under == under).unwrap_or_else(|| {
+            let carried = self.aside_by_stiffness(&given, input, output);
+            let (y, left) = match carried {
+                Some(carried) => (carried.aside, 0.0),
+                None => self.aside_from_none(&given, input, output),
+            };
+            let deflection = [y, self.sunk_under_load(&given)];
+            Rested { under, deflection, left, carried }
+        });
+        let Rested { deflection, left, carried, .. } = rested;
+        // The forces are those of rails that are put there, whatever led to it, also long ago.
+        self.expected = self.expected.or(carried.map(|carried| (carried, Pose::New)));
         let (_, fallbacks) = self.try_deflection(&given, deflection, input, output);
-        self.rested = Some((key, deflection, left));
+        self.rested = Some(rested);
         (deflection, left, fallbacks)
     }
 
-    /// The lateral deflection under a given load, and what is left of it [m], by the stiffness of the
-    /// contacts; nothing where that does not lead to it, or not to one that is the first one on the
-    /// way out for sure.
+    /// How a given load is carried on rails that rest aside, by the stiffness of the contacts; nothing
+    /// where that does not lead to it, or not to the first deflection on the way out for sure.
     fn aside_by_stiffness(
         &mut self,
         given: &Input,
         input: &mut Input,
         output: &mut Output,
-    ) -> Option<(f64, f64)> {
+    ) -> Option<Carried> {
         let held = self.held_under_load(given).filter(|_| given.wheel_load > 0.0)?;
-        let about = self.guess_held(&held, given, output)?;
+        let (about, at_once) = self.guess_held(&held, given, output)?;
         let way = Way { about, pose: Pose::New, to: To::OneBefore };
         let found = self.balanced(held, way, given, input, output)?;
-        let is_sure = (1.0 - found.at_once).abs() < MOST_GROWTH && found.left_out == 0;
-        is_sure.then_some((found.carried.aside, 0.0))
+        let growth = 1.0 - at_once / found.carried.aside;
+        let is_sure = growth.abs() < MOST_GROWTH && found.left_out == 0;
+        is_sure.then_some(found.carried)
     }
 
     /// Under a load, rails are known to rest aside as it is `carried` on them.
@@ -203,7 +228,8 @@ impl Element {
         let given = self.side.mirror(*input);
         if self.foundation.model == FoundationModel::Massless {
             let deflection = [carried.aside, self.sunk_under_load(&given)];
-            self.rested = Some((without_height(&given), deflection, 0.0));
+            let (under, carried) = (without_height(&given), Some(*carried));
+            self.rested = Some(Rested { under, deflection, left: 0.0, carried });
         }
     }
 
@@ -226,23 +252,24 @@ impl Element {
         outward(level, first, MAX_WAY, RESOLUTION, |y| trials.left(y, input, output))
     }
 
-    /// Deflection to begin with under a wheel of given height: rails that only sink, under a
-    /// contact as stiff as contacts are.
-    fn first_guess(&self, given: &Input) -> [f64; 2] {
-        let stiffness = self.foundation.stiffness[1];
-        let overlap = given.wheel.position[2] - self.height_near_touch(given);
-        // Beside all rails it is minus infinity.
-        if overlap <= 0.0 {
-            return [0.0; 2];
+    /// About what share of the forces of the last evaluation is left on rails that give way to them,
+    /// by the heaviest of its patches, where the springs would let them go by `rest` [m].
+    fn share_left(&self, rest: [f64; 2]) -> Option<f64> {
+        let patches = self.models.patches.iter();
+        let patch = patches.max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;
+        let (sine, cosine) = patch.contact_angle.sin_cos();
+        let away = (rest[1] * cosine - rest[0] * sine) / patch.penetration;
+        if away.is_nan() || away <= 0.0 {
+            return None;
         }
-        // c δ^(3/2) = k (overlap - δ): Newton's method from above, on a convex curve.
-        let mut depth = overlap.min((stiffness * overlap / STIFFNESS).powf(2.0 / 3.0));
+        // With the share x of the penetration: 1 - x = away x^(3/2). Newton's method from above, on
+        // a convex curve.
+        let mut x = 1.0_f64.min(away.powf(-2.0 / 3.0));
         for _ in 0..4 {
-            let root = depth.sqrt();
-            let missing = STIFFNESS * depth * root - stiffness * (overlap - depth);
-            depth -= missing / (1.5 * STIFFNESS * root + stiffness);
+            let root = x.sqrt();
+            x -= (away * x * root - (1.0 - x)) / (1.5 * away * root + 1.0);
         }
-        [0.0, overlap - depth]
+        Some(x * x.sqrt())
     }
 
     /// The matrix 1 - K⁻¹ ∂F/∂d for rails in the place that `at` has.
@@ -250,6 +277,24 @@ impl Element {
         let slopes = self.rail_slopes(at);
         let stiffness = self.foundation.stiffness;
         [0, 1].map(|i| [0, 1].map(|j| f64::from(u8::from(i == j)) - slopes[i][j] / stiffness[i]))
+    }
+
+    /// About the same for rails under the patches of the last evaluation: the force of each goes with
+    /// the power 3/2 of its penetration, which is along its normal.
+    fn yielding(&self) -> [[f64; 2]; 2] {
+        let stiffness = self.foundation.stiffness;
+        let mut matrix = [[1.0, 0.0], [0.0, 1.0]];
+        for patch in self.models.patches.iter() {
+            let own = 1.5 * patch.normal_force / patch.penetration;
+            let (sine, cosine) = patch.contact_angle.sin_cos();
+            let normal = [-sine, cosine];
+            let share = patch.creep_force[1] / patch.normal_force;
+            let force = [normal[0] - share * cosine, normal[1] - share * sine];
+            for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                matrix[i][j] += own / stiffness[i] * force[i] * normal[j];
+            }
+        }
+        matrix
     }
 
     /// Derivatives of the lateral and vertical force on the rails (rows) by their place, exact

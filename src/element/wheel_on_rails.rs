@@ -6,13 +6,14 @@ use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
-use super::input::Input;
 use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
+use super::quasi_static_rails::Rested;
 use super::rail::rail_contact::RailContact;
 use super::start_warning::StartWarning;
 use super::work::Work;
 use crate::geometry::profiles::profile::ProfileRemark;
+use crate::normal::Pose;
 
 /// A wheel and the rails under it, ready to be evaluated.
 ///
@@ -28,12 +29,12 @@ pub struct Element {
     pub(super) foundation: Foundation,
     /// Where rails with a mass are, from their first step on.
     pub(super) track: Option<TrackState>,
-    /// The last input under which rails without mass rested, without its height where a load is
-    /// given, where that was, and what was left of the way to it: asked for derivatives at an input,
-    /// they are not to be sought again.
-    pub(super) rested: Option<(Input, [f64; 2], f64)>,
-    /// About how the load of the next evaluation will be carried, if that is known.
-    pub(super) expected: Option<Carried>,
+    /// How rails without mass rested last: asked for derivatives at an input, they are not to be
+    /// sought again.
+    pub(super) rested: Option<Rested>,
+    /// About how the load of the next evaluation will be carried, if that is known, and what that has
+    /// to do with the pose of the last one.
+    pub(super) expected: Option<(Carried, Pose)>,
     /// How that of the last one was carried, if its balance led there.
     pub(super) carried: Option<Carried>,
     pub(super) nominal_radius: f64,

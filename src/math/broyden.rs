@@ -40,6 +40,12 @@ impl<const N: usize> Broyden<N> {
         let is_finite = step.iter().all(|number| number.is_finite());
         is_finite.then_some([self.at + step, step])
     }
+
+    /// Unknown number `i` where nothing would be left of that equation, as a step of that alone is
+    /// believed to do.
+    pub fn next_alone(&self, i: usize) -> f64 {
+        self.at[i] + self.left[i] / self.matrix[(i, i)]
+    }
 }
 
 #[cfg(test)]

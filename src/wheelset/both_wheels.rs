@@ -45,7 +45,8 @@ impl BothWheels {
     }
 
     /// Puts the wheelset of `input` where nothing would be left, and what is then known of both
-    /// wheels but for their heights; the greatest step to there, over loads and their depths [-].
+    /// wheels but for their heights; the greatest step to there but for
+    /// deflections, over loads and their depths [-].
     pub fn next(&self, input: &mut Input, about: &mut [Carried; 2]) -> Option<f64> {
         let [next, step] = self.search.next()?;
         let depth = self.balances[RIGHT].depth();
@@ -54,7 +55,7 @@ impl BothWheels {
         for k in [RIGHT, LEFT] {
             about[k] = self.balances[k].carried([0.0, next[2 + k], next[4 + k]]);
         }
-        Some(step.amax())
+        Some(step.fixed_rows::<4>(0).amax())
     }
 }
 

@@ -25,8 +25,8 @@ const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
 /// What may be left of the balances at the last pose but one, over loads and their depths: the step
-/// from it leaves less than a hundredth of that, 1e-15 m, the last digits of heights and roll.
-const NEARLY: f64 = 1e-9;
+/// from it leaves less than a hundredth of that, 1e-14 m, and each side finds its own height then.
+const NEARLY: f64 = 1e-8;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
@@ -126,7 +126,7 @@ impl Wheelset {
                     let side = at.of_side(k, self.markers[k]);
                     about[k].z = side.wheel.position[2];
                     self.elements[k].known_to_rest(&side, &about[k]);
-                    self.elements[k].expect(Some(about[k]));
+                    self.elements[k].expect(Some((about[k], Pose::Near)));
                 }
                 return Ok(Some(at));
             }

@@ -52,8 +52,9 @@ pub struct Models<T = f64> {
     pub uneven: Option<UnevenStrips>,
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
-    /// The same where a force is only guessed.
+    /// The same where a force is only guessed, and then the tangential model if it is another one.
     pub coarse: GaussLegendre,
+    pub guessed: Option<Tangential>,
     /// Loaded zones of the contact under way.
     pub strips: Strips<T>,
     /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
@@ -89,6 +90,13 @@ impl Models {
         self.strip_solver.as_ref().map_or(0.0, StripSolver::residual)
     }
 
+    /// Lets the tangential model by which forces are guessed change places with the chosen one.
+    pub fn swap_guessed(&mut self) {
+        if let Some(guessed) = &mut self.guessed {
+            std::mem::swap(&mut self.tangential, guessed);
+        }
+    }
+
     /// Whether pressure and tractions act on each other, the bodies being of unlike materials, and the
     /// models can tell.
     pub fn is_coupled(&self) -> bool {
@@ -122,6 +130,7 @@ impl Models {
             uneven: None,
             rule: self.rule.clone(),
             coarse: self.coarse.clone(),
+            guessed: None,
             strips: strips(&self.strips),
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
@@ -162,6 +171,15 @@ impl Models {
             elements: parameters.normal_elements,
             strips: most_strips,
         };
+        let rolling = |model| {
+            Tangential::new(model, &settings)
+                .with_laws([parameters.friction_law, parameters.gauge_face_law])
+                .with_flash_temperature(parameters.flash_temperature)
+        };
+        let is_dear = !matches!(
+            parameters.tangential_model,
+            TangentialModel::None | TangentialModel::Linear | TangentialModel::Fastsim
+        );
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -171,9 +189,7 @@ impl Models {
                 // A given load is that of a wheel at rest on its rails.
                 VerticalMode::Load => 0.0,
             },
-            tangential: Tangential::new(parameters.tangential_model, &settings)
-                .with_laws([parameters.friction_law, parameters.gauge_face_law])
-                .with_flash_temperature(parameters.flash_temperature),
+            tangential: rolling(parameters.tangential_model),
             creepage: parameters.creepage_model,
             rolling: RollingZones::with_capacity(zones, most_strips),
             minimum_speed: parameters.minimum_speed,
@@ -182,6 +198,7 @@ impl Models {
             descent: None,
             rule: GaussLegendre::new(parameters.strips),
             coarse: GaussLegendre::new(MIN_STRIPS),
+            guessed: is_dear.then(|| rolling(TangentialModel::Fastsim)),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, most_strips),
             strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),

@@ -107,10 +107,11 @@ impl RailContact {
         left_out + fallbacks
     }
 
-    /// How far the wheel of `input` has to go down for the contacts with rail number `k`, each by
-    /// itself, to have about the vertical force `load`, if friction bore nothing; adds the forces
-    /// there to `output`. Contacts by themselves are those of the normal model, or of Piotrowski
-    /// and Kik where that solves for a whole rail.
+    /// How far the wheel of `input` has to go down for the contacts with rail number `k` to have
+    /// about the vertical force `load`, if friction bore nothing: where strips are pressed by the
+    /// overlap as it is, else by contacts by themselves, of the normal model or of Piotrowski and Kik
+    /// where that solves for a whole rail. Where the way is not longer than `longest` the forces of
+    /// contacts by themselves at its end are added to `output`.
     ///
     /// # Errors
     /// How far the wheel has to be lifted off, where that is more than `most_lift`; where nothing
@@ -119,7 +120,7 @@ impl RailContact {
         &mut self,
         k: usize,
         input: &Input,
-        [load, most_lift]: [f64; 2],
+        [load, most_lift, longest]: [f64; 3],
         models: &mut Models,
         output: &mut Output,
         work: &mut Work,
@@ -140,20 +141,27 @@ impl RailContact {
         let (rail, search) = (&self.rail, &mut self.search);
         let mut descent = Descent { down: frame.down(), ..Descent::to(load) };
         let mut last = None;
-        descent.run(|descent, _| {
-            let (mut reached, mut deepest) = (0.0, 0.0_f64);
-            for index in 0..search.contacts.len() {
-                let cosine = descent.cosine(search.contacts[index].tangent);
-                let deeper = descent.way * cosine;
-                let pressed = press(&line, rail, search, index, normal, deeper, models);
-                reached += models.strips.load() * cosine;
-                deepest =
-                    deepest.max((pressed.contact.penetration + deeper) / cosine.max(STEEPEST));
-                last = Some(pressed);
-            }
-            (reached, Slope::Depth(deepest))
-        });
-        // The zones of a single contact are there.
+        if models.strip_solver.is_some() {
+            strip_contact::guess(&line, rail, search, &mut self.probes, models, &mut descent);
+        } else {
+            descent.run(|descent, _| {
+                let (mut reached, mut deepest) = (0.0, 0.0_f64);
+                for index in 0..search.contacts.len() {
+                    let cosine = descent.cosine(search.contacts[index].tangent);
+                    let deeper = descent.way * cosine;
+                    let pressed = press(&line, rail, search, index, normal, deeper, models);
+                    reached += models.strips.load() * cosine;
+                    deepest =
+                        deepest.max((pressed.contact.penetration + deeper) / cosine.max(STEEPEST));
+                    last = Some(pressed);
+                }
+                (reached, Slope::Depth(deepest))
+            });
+        }
+        if descent.way.abs() > longest {
+            return Ok(descent);
+        }
+        // The zones of a single contact may be there.
         let mut there = last.filter(|_| search.contacts.len() == 1);
         for index in 0..search.contacts.len() {
             let deeper = descent.way * descent.cosine(search.contacts[index].tangent);
@@ -175,7 +183,9 @@ impl RailContact {
                 is_on_arc: false,
             };
             let mut separation = pressed.separation;
+            models.swap_guessed();
             forces.add_forces(&mut separation, models, output, work);
+            models.swap_guessed();
         }
         Ok(descent)
     }

@@ -18,6 +18,7 @@ use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::separation::Probe;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::wheel::contact_line::ContactLine;
+use crate::normal::Descent;
 use crate::normal::least_energy::{LinePlace, OverlapLine};
 
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
@@ -32,6 +33,34 @@ pub fn solve(
     probes: &mut Vec<Probe>,
     models: &mut Models,
 ) -> usize {
+    take_probes(search, probes);
+    let Models { strip_solver, rail_strips, material, descent, .. } = models;
+    rail_strips.clear();
+    let mut local = LocalLine::of(line, rail, search);
+    let modulus = material.contact_modulus;
+    strip_solver.as_mut().map_or(0, |solver| {
+        solver.solve(&mut local, probes, 0.0, modulus, descent.as_mut(), rail_strips)
+    })
+}
+
+/// Takes `descent` about to where the strips of one rail would have its force.
+pub fn guess(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    search: &ContactSearch,
+    probes: &mut Vec<Probe>,
+    models: &mut Models,
+    descent: &mut Descent,
+) {
+    take_probes(search, probes);
+    let mut local = LocalLine::of(line, rail, search);
+    if let Some(solver) = &mut models.strip_solver {
+        solver.guess(&mut local, probes, models.material.contact_modulus, descent);
+    }
+}
+
+/// Puts the distances that the `search` has found along the contacts of a rail into `probes`.
+fn take_probes(search: &ContactSearch, probes: &mut Vec<Probe>) {
     probes.clear();
     for contact in search.contacts.iter() {
         let own = &search.probes[contact.probes[0]..contact.probes[1]];
@@ -43,13 +72,6 @@ pub fn solve(
             }
         }
     }
-    let Models { strip_solver, rail_strips, material, descent, .. } = models;
-    rail_strips.clear();
-    let mut local = LocalLine::of(line, rail, search);
-    let modulus = material.contact_modulus;
-    strip_solver.as_mut().map_or(0, |solver| {
-        solver.solve(&mut local, probes, 0.0, modulus, descent.as_mut(), rail_strips)
-    })
 }
 
 /// Adds the forces of all zones of one rail to `output`, each as a contact of `forces`; returns how

@@ -33,9 +33,7 @@ pub(super) struct Scales<T = f64> {
 impl<T: Real> Scales<T> {
     /// Those of a parabola of so much depth and half width, and the radius along it [m].
     pub fn new(depth: T, half_width: T, radius: T) -> Self {
-        let along = T::from(0.5) / radius;
-        let across = depth / (half_width * half_width);
-        let across = across.max(along / MAX_RATIO).min(along * MAX_RATIO);
+        let [along, across] = curvatures(depth, half_width, radius);
         let ellipse = hertz::ellipse(along, across, depth, 1.0);
         let (a, b) = (ellipse.semi_axis_along, ellipse.semi_axis_across);
         let load = ellipse.max_pressure * a * (0.5 * PI);
@@ -51,4 +49,18 @@ impl<T: Real> Scales<T> {
             depth: unit * depth,
         }
     }
+}
+
+/// Load over E* of the ellipse that a parabola of so much depth and half width touches in, with the
+/// radius along it [m²].
+pub(super) fn load<T: Real>(depth: T, half_width: T, radius: T) -> T {
+    let [along, across] = curvatures(depth, half_width, radius);
+    hertz::ellipse(along, across, depth, 1.0).load
+}
+
+/// Half the curvatures of such a parabola along and across [1/m].
+fn curvatures<T: Real>(depth: T, half_width: T, radius: T) -> [T; 2] {
+    let along = T::from(0.5) / radius;
+    let across = depth / (half_width * half_width);
+    [along, across.max(along / MAX_RATIO).min(along * MAX_RATIO)]
 }

@@ -19,18 +19,14 @@ use std::array::from_fn;
 use super::super::line::OverlapLine;
 use super::Lattice;
 use super::lobes::{self, PLACES};
-use super::sample::between;
+use super::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL, Parabola};
+use super::sample::{Sample, between};
 use crate::math::real::Real;
 
 /// The integral of the measure for a parabola, n/A apart.
 const PARABOLA: f64 = 1.5;
 /// How much denser nodes are on a pedestal as deep as the parabola; chosen: 1 to 4 do as well.
 const ON_PEDESTAL: f64 = 2.0;
-/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
-/// Half its width over the integral of the square of the overlap over the square of its depth.
-const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
-
 /// Square of that half width over the variance of a place, weighted so.
 const SQUARE_OVER_VARIANCE: f64 = 7.0;
 
@@ -62,33 +58,25 @@ pub(super) struct Station<T> {
 impl<T: Real> Lattice<T> {
     /// The parabola of the overlap; false where there is none.
     pub(super) fn size_up(&mut self, line: &mut impl OverlapLine<T>) -> bool {
-        let zero = T::from(0.0);
-        let (mut square, mut cube, mut place) = (zero, zero, zero);
-        for_pairs(&self.stations, |a, b| {
-            let h = (b.y - a.y) * 0.5;
-            for station in [a, b] {
-                let weight = h * station.overlap * station.overlap;
-                square += weight;
-                cube += weight * station.overlap;
-                place += weight * station.y;
-            }
-        });
-        if !(square.value().is_normal() && cube.value().is_normal()) {
+        let Some(Parabola { depth, half_width, y }) = Parabola::of(&self.stations) else {
             return false;
-        }
-        self.depth = cube / square * DEPTH_OVER_MEAN;
-        self.half_width = square / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
-        let middle = self.sample_before(place / square);
-        let [a, b] = [&self.samples[middle], &self.samples[middle + 1]];
-        let t = ((place / square - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
+        };
+        let radius = line.radius(&self.at(y).at);
         // Where the wheel stands upright this grows beyond all bounds and comes back from below.
-        let radius = line.radius(&between(a, b, t).at);
-        self.radius = if radius.value() < 0.0 { -radius } else { radius };
+        let radius = if radius.value() < 0.0 { -radius } else { radius };
+        (self.depth, self.half_width, self.radius) = (depth, half_width, radius);
         let scale = T::from(1.0) / self.depth;
         for station in self.stations.iter_mut() {
             station.share = station.overlap * scale;
         }
         true
+    }
+
+    /// What samples say of the place `y` across.
+    pub(super) fn at(&self, y: T) -> Sample<T> {
+        let before = self.sample_before(y);
+        let [a, b] = [&self.samples[before], &self.samples[before + 1]];
+        between(a, b, ((y - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0))
     }
 
     /// Number of the sample before the place `y` across, of an interval that goes on behind it.
@@ -231,7 +219,10 @@ fn spread<T: Real>(slope_square: T, ratio: T) -> T {
 }
 
 /// Calls `each` with every two neighbouring stations of one interval.
-fn for_pairs<T: Real>(stations: &[Station<T>], mut each: impl FnMut(&Station<T>, &Station<T>)) {
+pub(super) fn for_pairs<T: Real>(
+    stations: &[Station<T>],
+    mut each: impl FnMut(&Station<T>, &Station<T>),
+) {
     for pair in stations.windows(2) {
         if pair[0].interval == pair[1].interval {
             each(&pair[0], &pair[1]);

@@ -7,6 +7,7 @@
 
 mod lobes;
 mod measure;
+mod parabola;
 mod sample;
 
 use super::line::{LinePlace, OverlapLine};
@@ -120,14 +121,19 @@ impl<T: Real> Lattice<T> {
         sum
     }
 
-    /// Lays nodes over all `overlaps`; leaves none where there is no overlap beyond rounding.
-    pub fn lay(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) {
+    /// Takes the overlap of all `overlaps`, without nodes.
+    pub fn take(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) {
         self.nodes.clear();
         self.samples.clear();
         self.stations.clear();
         for (interval, ends) in overlaps.intervals.iter().enumerate() {
             self.sample(line, interval, ends);
         }
+    }
+
+    /// Lays nodes over all `overlaps`; leaves none where there is no overlap beyond rounding.
+    pub fn lay(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) {
+        self.take(line, overlaps);
         if self.size_up(line) {
             self.scales = Scales::new(self.depth, self.half_width, self.radius);
             self.measure();
