@@ -38,12 +38,12 @@ const MAX_STEPS: usize = 40;
 const KEPT: f64 = 0.3;
 /// Shortest share of a step.
 const SHORTEST: f64 = 1.0 / 1024.0;
-/// Under a wheel of given height deflections are found to this share of the penetration, half of 1e-9
-/// of the force, or the last digits of coordinates [m].
+/// Deflections are found to this [m]: 1e-9 of a small wheel load on a stiff contact.
+const RESOLUTION: f64 = 1e-14;
+/// Under a wheel of given height they are found to this share of the penetration if that is less,
+/// half of 1e-9 of the force, or to the last digits of coordinates [m].
 const RESOLVED: f64 = 3e-10;
 const ROUNDING: f64 = 1e-15;
-/// Under a given load they are found to this [m]: 1e-9 of a small one on a stiff contact.
-const RESOLUTION: f64 = 1e-14;
 /// Correction left from which on the equilibrium counts as missed [m]: a thousandth of what wheel
 /// and rail overlap.
 const MISSED: f64 = 1e-7;
@@ -144,7 +144,8 @@ impl Element {
             (rest, fallbacks) = self.try_deflection(&given, deflection, input, output);
         }
         let penetrations = self.models.patches.iter().map(|patch| patch.penetration);
-        let resolution = (RESOLVED * penetrations.fold(0.0, f64::max)).max(ROUNDING);
+        let share = RESOLVED * penetrations.fold(0.0, f64::max);
+        let resolution = share.clamp(ROUNDING, RESOLUTION);
         // Under a lifted wheel they rest at once.
         let mut left = length(rest);
         let (mut steps, mut kept) = (0, Some(self.yielding()));
