@@ -18,7 +18,7 @@
 //! changes a little with all unknowns.
 
 use super::input::Input;
-use super::output::Output;
+use super::output::{Output, Patch, heaviest};
 use super::wheel_on_rails::Element;
 use crate::normal::{Descent, Pose, way_between};
 
@@ -188,6 +188,11 @@ impl Balance {
     }
 }
 
+/// Vertical force of the normal forces of `patches` [N].
+pub(super) fn normal_force_down(patches: &[Patch]) -> f64 {
+    patches.iter().map(|patch| patch.normal_force * patch.contact_angle.cos()).sum()
+}
+
 impl Element {
     /// Forces at the height of `input` (right side), whose load is sought, or, by the normal model,
     /// after the way down to the normal force of what is known `about` them; nothing where it is not
@@ -205,7 +210,7 @@ impl Element {
         let descent = self.models.descent.take();
         let [_, lateral, vertical] = output.wheel.force;
         let patches = &self.models.patches;
-        let heaviest = patches.iter().max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;
+        let heaviest = heaviest(patches)?;
         let (z, slope) = (input.wheel.position[2], heaviest.contact_angle.tan());
         let (carried, aside) = (-vertical, lateral / vertical);
         if carried.is_nan() || carried <= 0.0 {
@@ -218,7 +223,7 @@ impl Element {
             return (rails == 1 && stiffness > 0.0).then_some(placed);
         }
         let load = input.wheel_load;
-        let here: f64 = patches.iter().map(|p| p.normal_force * p.contact_angle.cos()).sum();
+        let here = normal_force_down(patches);
         let normal = here * load / carried;
         let stiffness = about.stiffness * (here / about.normal).cbrt();
         let way = way_between(here, stiffness, normal);

@@ -3,12 +3,12 @@
 //!
 //! The [`balance`](super::balance) of a pose says which one to try next, each but the first from the
 //! solution of the one before. Where the first one is say the ellipses of the overlaps that strips are
-//! pressed by, or contacts by themselves, with creep forces. Where the geometry of a pose will do and load is missing, it is its forces that are found
-//! anew.
+//! pressed by, or contacts by themselves, with creep forces. Where the geometry of a pose will do and
+//! load is missing, it is its forces that are found anew.
 
 use nalgebra::SMatrix;
 
-use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed};
+use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, normal_force_down};
 use super::input::Input;
 use super::output::{Output, heaviest_first};
 use super::parameters::FoundationModel;
@@ -290,9 +290,7 @@ impl Element {
                 (step, longest) = (way, f64::INFINITY);
                 continue;
             }
-            let patches = self.models.patches.iter();
-            let here: f64 = patches.map(|p| p.normal_force * p.contact_angle.cos()).sum();
-            let ratio = -output.wheel.force[2] / here;
+            let ratio = -output.wheel.force[2] / normal_force_down(&self.models.patches);
             let normal = load / ratio;
             let z = z + way + way_between(reached, stiffness, normal);
             let is_there = ratio > 0.0 && stiffness > 0.0 && z.is_finite();

@@ -216,6 +216,11 @@ numbers!(
     wear_number, frictional_power, patches; ..Output::default()
 );
 
+/// The patch with the greatest normal force, if there is one.
+pub(super) fn heaviest(patches: &[Patch]) -> Option<&Patch> {
+    patches.iter().max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))
+}
+
 /// Sorts patches.
 pub(super) fn heaviest_first<T: Real>(patches: &mut [Patch<T>]) {
     patches.sort_unstable_by(|a, b| b.normal_force.value().total_cmp(&a.normal_force.value()));

@@ -22,7 +22,7 @@ use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, move_all};
 use super::load_by_stiffness::{To, Way};
-use super::output::Output;
+use super::output::{Output, heaviest};
 use super::parameters::foundation::TrackState;
 use super::parameters::{FoundationModel, VerticalMode};
 use super::rail::moving_contact::Kink;
@@ -256,8 +256,7 @@ impl Element {
     /// About what share of the forces of the last evaluation is left on rails that give way to them,
     /// by the heaviest of its patches, where the springs would let them go by `rest` [m].
     fn share_left(&self, rest: [f64; 2]) -> Option<f64> {
-        let patches = self.models.patches.iter();
-        let patch = patches.max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;
+        let patch = heaviest(&self.models.patches)?;
         let (sine, cosine) = patch.contact_angle.sin_cos();
         let away = (rest[1] * cosine - rest[0] * sine) / patch.penetration;
         if away.is_nan() || away <= 0.0 {

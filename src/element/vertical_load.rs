@@ -22,7 +22,7 @@
 //! go on for ever.
 
 use super::input::Input;
-use super::output::Output;
+use super::output::{Output, heaviest};
 use super::wheel_on_rails::Element;
 use crate::math::root::bracketed;
 
@@ -203,8 +203,7 @@ impl Search<'_> {
     /// The height at which the contact of the heaviest patch would carry the whole load if force
     /// grew as penetration^(3/2), after an evaluation at `trial`.
     fn power_law_height(&self, trial: Trial) -> Option<f64> {
-        let patches = self.element.models.patches.iter();
-        let patch = patches.max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;
+        let patch = heaviest(&self.element.models.patches)?;
         let cosine = patch.contact_angle.cos();
         let growth = (self.load / trial.force).powf(2.0 / 3.0) - 1.0;
         let z = trial.z + patch.penetration / cosine * growth;

@@ -52,7 +52,8 @@ pub struct Models<T = f64> {
     pub uneven: Option<UnevenStrips>,
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
-    /// The same where a force is only guessed, and then the tangential model if it is another one.
+    /// The same where a force is only guessed, and then the tangential model if it is another one:
+    /// FASTSIM, which costs no more than any with a bound.
     pub coarse: GaussLegendre,
     pub guessed: Option<Tangential>,
     /// Loaded zones of the contact under way.
@@ -176,7 +177,7 @@ impl Models {
                 .with_laws([parameters.friction_law, parameters.gauge_face_law])
                 .with_flash_temperature(parameters.flash_temperature)
         };
-        let is_dear = !matches!(
+        let is_itself_guessed = matches!(
             parameters.tangential_model,
             TangentialModel::None | TangentialModel::Linear | TangentialModel::Fastsim
         );
@@ -198,7 +199,7 @@ impl Models {
             descent: None,
             rule: GaussLegendre::new(parameters.strips),
             coarse: GaussLegendre::new(MIN_STRIPS),
-            guessed: is_dear.then(|| rolling(TangentialModel::Fastsim)),
+            guessed: (!is_itself_guessed).then(|| rolling(TangentialModel::Fastsim)),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, most_strips),
             strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),

@@ -1,8 +1,8 @@
 //! Where the nodes stand, and what is to be known of each.
 //!
-//! The overlap is taken along every interval in which the bodies overlap (`sample`), the nodes are
-//! measured out on it (`measure`, `lobes`), and each gets its hat and the mean of the overlap over
-//! it. All of that is continuous in the pose: nodes come and go at the ends of overlaps, where they
+//! The overlap is taken along every interval in which the bodies overlap (`sample`), a parabola with
+//! the same moments gives it its size (`parabola`), the nodes are measured out on it (`measure`,
+//! `lobes`), and each gets its hat and the mean of the overlap over it. All of that is continuous in the pose: nodes come and go at the ends of overlaps, where they
 //! carry nothing.
 
 mod lobes;
