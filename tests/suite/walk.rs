@@ -129,6 +129,25 @@ fn lobes_that_join_and_part_make_no_jumps() {
     }
 }
 
+/// A contact of which rounding is all there is begins beside another one.
+#[test]
+fn a_contact_that_begins_makes_no_jump() {
+    let mut parameters = Parameters::default();
+    parameters.rails[0].profile = "60E2".into();
+    parameters.tangential_model = TangentialModel::None;
+    let mut element = Element::new(&parameters, &Input::default(), &[]).unwrap();
+    let mut start = rolling(0.0, 20.0);
+    let wheel = &mut start.wheel;
+    wheel.position[1] = 0.758_147_822_965_098_3;
+    wheel.position[2] = -0.460_154_241_810_385_77;
+    (wheel.roll, wheel.yaw) = (3.197_382_974_731_077_4e-3, -2.550_739_887_315_671_3e-3);
+    let line = Line { start, y: 0.0, z: 0.0, roll: 0.0, yaw: 20.0, along: 0.0, pitch: 0.0 };
+    let middle = Line { start: line.at(-0.5 * STEP * STEPS as f64), ..line };
+    let [most, _] = tolerance::WALK_JUMPS;
+    let found = follow(&mut element, &middle, 1.0, most, &mut Vec::new());
+    assert!(found.jump <= most, "{:e} of {most:e}", found.jump);
+}
+
 #[test]
 fn a_short_walk_has_no_jumps() {
     walk(3, 1);

@@ -24,7 +24,7 @@ pub(super) struct Overlaps {
 /// Most intervals of overlap of one rail.
 pub(super) const MAX_OVERLAPS: usize = 32;
 /// Overlap below which there is none [m]: what the rounding of coordinates of a metre leaves.
-const ROUNDING: f64 = 1e-15;
+pub(super) const ROUNDING: f64 = 1e-15;
 /// Newton steps towards an end before it is bracketed.
 const MAX_STEPS: usize = 6;
 /// Last Newton step towards an end [m]; what is left is of the order of its square.

@@ -2,7 +2,7 @@
 //! two of them, and a step is halved until the place in its middle agrees.
 
 use super::super::line::{LinePlace, OverlapLine};
-use super::super::overlap::End;
+use super::super::overlap::{End, ROUNDING};
 use super::Lattice;
 use super::lobes;
 use super::measure::Station;
@@ -155,7 +155,8 @@ impl<T: Real> Lattice<T> {
         let ends_taken = [take(from, ends[0].is_free), take(to, ends[1].is_free)];
         let width = ends_taken[1].at.y - ends_taken[0].at.y;
         let slopes = ends_taken[0].slope[1].abs() + ends_taken[1].slope[0].abs();
-        let most = width * width * slopes * (SAMPLE_ERROR / 8.0);
+        // Where all of the overlap is rounding steps would be halved without end.
+        let most = (width * slopes * (SAMPLE_ERROR / 8.0) + ROUNDING) * width;
         self.samples.push(ends_taken[0]);
         self.is_folded = false;
         for k in 1..=STEPS {
@@ -171,7 +172,7 @@ impl<T: Real> Lattice<T> {
         }
         let mut sample = first;
         for k in 0..=lobes::STEPS {
-            let y = low + (high - low) * (k as f64 / lobes::STEPS as f64);
+            let y = low + (high - low) * lobes::AT[k];
             while sample + 2 < self.samples.len() && self.samples[sample + 1].at.y <= y {
                 sample += 1;
             }
