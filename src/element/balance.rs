@@ -14,8 +14,10 @@
 //! Forces are taken as their power 2/3, in which the first two are nearly straight. What one step
 //! takes off the residuals is known well enough from the stiffness of the contacts and the angle of
 //! the heaviest one for [`Broyden`](crate::math::broyden::Broyden)'s method to end in a few poses:
-//! the geometry of a pose is wrong by a thousandth of the way or so, and the share of creep forces
-//! changes a little with all unknowns.
+//! the geometry of a pose is wrong by a few thousandths of the way, and the share of creep forces
+//! changes a little with all unknowns. Two poses, each with the force before its way, tell at which
+//! height a force is to second order in the step from one to the other, and two of all forces what
+//! they become where a little more load is carried.
 
 use super::input::Input;
 use super::output::{Output, Patch, heaviest};
@@ -33,12 +35,15 @@ pub(crate) const MOST_POSES: usize = 12;
 /// Longest step from one pose to the next over load and depth: farther off, poses have not told
 /// what is there. A wheel is off its rail at 1.5.
 pub(crate) const LONGEST: f64 = 0.5;
-/// Share of a way that the geometry is wrong by at least, whatever poses tell, and where there is
-/// one pose alone.
+/// Share of a way that all forces are wrong by, as the geometry is that of its beginning: at least
+/// that, beside the step from another pose and half of what that geometry was wrong by for the way
+/// itself; and where there is no other pose.
 const WRONG: [f64; 2] = [1e-3, 0.05];
-/// Lateral force that is wrong then over the load, the way and the slope across of the contact: on
-/// flanges normals turn on the way.
+/// The same that normals turn by on the way, over the square of the slope across of the contact.
 const TURNING: f64 = 0.1;
+/// Share that forces are wrong by of what two poses tell that more load changes, as cells begin to
+/// slip between them; and of what the geometry of both changes, which goes with it.
+const BENT: [f64; 2] = [1e-2, 3e-3];
 
 /// A pose, and what its geometry led to.
 #[derive(Clone, Copy, Debug)]
@@ -46,19 +51,29 @@ pub(crate) struct Placed {
     /// Height of the marker, and the way down from it [m].
     pub z: f64,
     pub way: f64,
-    /// Vertical force of the normal loads after that, and of all forces [N].
+    /// Vertical force of the normal loads before it, and after it [N].
+    pub resting: f64,
     pub normal: f64,
+    /// Vertical force of all forces as they were found, and after the way [N].
+    pub vertical: f64,
     pub carried: f64,
+    /// Whether they were found after the way.
+    pub is_lowered: bool,
     /// Lateral force on the wheel over the vertical one [-].
     pub aside: f64,
     /// Derivative of the normal one by the way [N/m].
     pub stiffness: f64,
     /// Slope across of the heaviest contact [-].
     pub slope: f64,
-    /// The vertical force before the way, where the other numbers are told from there [N].
-    pub before: Option<f64>,
     /// Contacts and zones that found no room.
     pub left_out: u64,
+}
+
+impl Placed {
+    /// Vertical force of the normal loads that the forces were found with [N].
+    pub fn pressed(&self) -> f64 {
+        if self.is_lowered { self.normal } else { self.resting }
+    }
 }
 
 /// What is known of how a load is carried: height of the marker [m], vertical force of the normal
@@ -87,15 +102,26 @@ pub(crate) struct Balance {
     held: Held,
     depth: f64,
     last: Placed,
+    /// Deflection of the last pose [m].
+    y: f64,
     left: [f64; 3],
+    course: Option<Course>,
+}
+
+/// How the force of the normal loads grew from one pose to the last one.
+#[derive(Clone, Copy, Debug)]
+struct Course {
+    /// Way down over the change of the power of the force [m].
+    per_power: f64,
+    /// That way over the depth of the load, without sign [-].
+    step: f64,
 }
 
 impl Balance {
     /// From the first pose with the deflection `y`.
     pub fn at(first: &Placed, held: Held, y: f64) -> Self {
         let depth = held.load / first.stiffness * (first.normal / held.load).cbrt();
-        let (last, left) = (*first, [0.0; 3]);
-        let mut balance = Self { held, depth, last, left };
+        let mut balance = Self { held, depth, last: *first, y, left: [0.0; 3], course: None };
         balance.left = balance.residuals(first, y);
         balance
     }
@@ -143,8 +169,30 @@ impl Balance {
 
     /// Residuals at another pose, or with other forces, with the deflection `y`.
     pub fn take(&mut self, here: &Placed, y: f64) -> [f64; 3] {
-        (self.last, self.left) = (*here, self.residuals(here, y));
+        let Self { last, depth, .. } = *self;
+        let step = here.z - last.z + here.slope * (y - self.y);
+        // Other forces of the same pose do not tell of another one.
+        let is_same = step.abs() <= 0.0;
+        let resting = if is_same { last.resting } else { here.resting };
+        if !is_same {
+            let per_power = step / (self.power(resting) - self.power(last.resting));
+            let is_known = per_power > 0.0 && per_power.is_finite();
+            self.course = is_known.then_some(Course { per_power, step: step.abs() / depth });
+        }
+        (self.last, self.y) = (Placed { resting, ..*here }, y);
+        self.left = self.residuals(here, y);
         self.left
+    }
+
+    /// The height at which normal loads of a pose beside the last one have the vertical force
+    /// `normal` [m].
+    pub fn height_of(&self, normal: f64) -> f64 {
+        let Self { last, course, .. } = self;
+        if let Some(Course { per_power, .. }) = course {
+            return last.z + per_power * (self.power(normal) - self.power(last.resting));
+        }
+        let height = if last.is_lowered { last.z + last.way } else { last.z };
+        height + way_between(last.pressed(), last.stiffness, normal)
     }
 
     /// Residuals at the last pose.
@@ -164,21 +212,46 @@ impl Balance {
         way.abs().max(missing.abs()).max(self.lateral().abs()) <= NEARLY
     }
 
-    /// Whether the last pose is where the wheel is carried but for its way down, where a way is
-    /// `believed` to take so much off itself, if more than one pose tells that. Load that is missing
-    /// makes it longer.
-    pub fn is_placed(&self, believed: Option<f64>) -> bool {
-        let Self { held: Held { load, .. }, last, left: [way, missing, _], .. } = *self;
-        let wrong = believed.map_or(WRONG[1], |share| (share - 1.0).abs().max(WRONG[0]));
-        let is_placed = match last.before {
-            // The vertical force is the load, the lateral one the load times `aside`.
-            None => {
-                let wrong = wrong + TURNING * last.slope.abs();
-                wrong * (way.abs() + missing.abs()) <= MISPLACED
-            }
-            Some(before) => (load - before).abs() <= MISSING * load,
+    /// Forces of the last pose that are wrong because of the geometry, over the load [-]. Load that
+    /// is missing makes the way longer.
+    fn misplaced(&self) -> f64 {
+        let Self { last, left: [way, missing, _], course, .. } = self;
+        let wrong = course.map_or(WRONG[1], |course| {
+            let taken_off = self.height_of(last.normal) - last.z - last.way;
+            course.step + (0.5 * (taken_off / last.way).abs()).max(WRONG[0])
+        });
+        let wrong = wrong + TURNING * last.slope * last.slope;
+        wrong * (way.abs() + missing.abs()) * self.steep()
+    }
+
+    /// About the greatest of a contact's forces, over the load [-].
+    fn steep(&self) -> f64 {
+        1.0 + self.last.slope.abs()
+    }
+
+    /// Whether the last pose is where the wheel is carried but for its way down.
+    pub fn is_placed(&self) -> bool {
+        let Self { held: Held { load, .. }, last, .. } = self;
+        let is_placed = if last.is_lowered {
+            self.misplaced() <= MISPLACED
+        } else {
+            (load - last.vertical).abs() <= MISSING * load
         };
         is_placed && self.lateral().abs() <= MISPLACED
+    }
+
+    /// How far all forces have to go on beyond the last pose, over what changed from the one `before`
+    /// to it, for the load to be carried; nothing where that is too far to be told by both, or where
+    /// rails yield, which these do not tell of.
+    pub fn further(&self, before: &Placed) -> Option<f64> {
+        let Self { held: Held { load, lateral_stiffness }, last, depth, .. } = self;
+        let missing = load - last.vertical;
+        let part = missing / (last.vertical - before.vertical);
+        let moved = part * (last.z - before.z) / depth;
+        let bent = BENT[0] * (missing / load).abs() + BENT[1] * moved.abs();
+        let misplaced = if last.is_lowered { self.misplaced() } else { 0.0 };
+        let is_told = misplaced.max(bent * self.steep()) <= MISPLACED;
+        (part.is_finite() && is_told && lateral_stiffness.is_none()).then_some(part)
     }
 
     /// Whether no load is missing there.
@@ -216,27 +289,38 @@ impl Element {
         if carried.is_nan() || carried <= 0.0 {
             return None;
         }
-        if let Some(Descent { way, reached: normal, stiffness, growth, rails, .. }) = descent {
-            let carried = carried * growth;
-            let placed =
-                Placed { z, way, normal, carried, aside, stiffness, slope, before: None, left_out };
-            return (rails == 1 && stiffness > 0.0).then_some(placed);
+        let (load, vertical) = (input.wheel_load, carried);
+        if let Some(descent) = descent {
+            let Descent { way, resting, reached: normal, stiffness, growth, rails, .. } = descent;
+            let is_known = rails == 1 && stiffness > 0.0;
+            return is_known.then_some(Placed {
+                z,
+                way,
+                resting,
+                normal,
+                vertical,
+                carried: carried * growth,
+                is_lowered: true,
+                aside,
+                stiffness,
+                slope,
+                left_out,
+            });
         }
-        let load = input.wheel_load;
-        let here = normal_force_down(patches);
-        let normal = here * load / carried;
-        let stiffness = about.stiffness * (here / about.normal).cbrt();
-        let way = way_between(here, stiffness, normal);
-        let before = Some(carried);
-        (!by_strips && here > 0.0 && normal > 0.0).then_some(Placed {
+        let resting = normal_force_down(patches);
+        let normal = resting * load / carried;
+        let stiffness = about.stiffness * (resting / about.normal).cbrt();
+        (!by_strips && resting > 0.0 && normal > 0.0).then_some(Placed {
             z,
-            way,
+            way: way_between(resting, stiffness, normal),
+            resting,
             normal,
+            vertical,
             carried: load,
+            is_lowered: false,
             aside,
             stiffness: about.stiffness * (normal / about.normal).cbrt(),
             slope,
-            before,
             left_out,
         })
     }

@@ -143,29 +143,37 @@ impl Element {
     ) -> Option<Found> {
         let mut search = None::<(Balance, Broyden<3>)>;
         let Way { mut about, mut pose, to } = way;
-        let mut believed = None;
+        let mut before = None::<Placed>;
         for _ in 0..MOST_POSES {
             *input = self.put(given, &held, &about);
             let here = self.press(&about, pose, input, output)?;
-            let Placed { z, way, normal, stiffness, left_out, .. } = here;
+            let Placed { way, normal, stiffness, left_out, .. } = here;
             let tried = Carried { normal, ..about };
-            let is_same = pose.is_same();
-            let (balance, search) = if let Some((balance, search)) = &mut search {
+            let is_first = search.is_none();
+            let (balance, search) = search.get_or_insert_with(|| begin(&here, held, &tried));
+            if !is_first {
                 let left = balance.take(&here, about.aside);
                 search.take(balance.unknowns(&tried).into(), left.into());
-                if !is_same {
-                    believed = Some(search.matrix()[(0, 0)]);
-                }
-                (balance, search)
-            } else {
-                let (balance, search) = search.insert(begin(&here, held, &tried));
-                (balance, search)
-            };
-            let is_placed = balance.is_placed(believed);
+            }
+            let is_placed = balance.is_placed();
             if is_placed && balance.is_carried() {
-                let z = if here.before.is_some() { z } else { z + way };
-                let carried = Carried { z, normal, stiffness, ..about };
+                let carried =
+                    Carried { z: balance.height_of(here.pressed()), normal, stiffness, ..about };
                 return Some(Found { carried, left_out });
+            }
+            if to == To::TheEnd {
+                let Self { models, pose_forces, .. } = self;
+                let last = before.replace(here).filter(|last| last.left_out + left_out == 0);
+                let further = last.and_then(|last| Some((last, balance.further(&last)?)));
+                if let Some((last, part)) = further
+                    && pose_forces.go_on(part, output, &mut models.patches)
+                {
+                    let normal = here.pressed() + part * (here.pressed() - last.pressed());
+                    let carried =
+                        Carried { z: balance.height_of(normal), normal, stiffness, ..about };
+                    return Some(Found { carried, left_out });
+                }
+                pose_forces.keep(output, &models.patches);
             }
             // Contacts that found no room are told by a search alone.
             if is_placed && left_out == 0 {
@@ -176,7 +184,7 @@ impl Element {
                 continue;
             }
             let [at, step] = search.next()?;
-            if believed.is_some() && step.fixed_rows::<2>(0).amax() > LONGEST {
+            if !is_first && step.fixed_rows::<2>(0).amax() > LONGEST {
                 return None;
             }
             let next = balance.carried(at.into());

@@ -10,6 +10,7 @@ mod evaluate;
 mod free_rolling;
 mod gradient;
 pub mod input;
+mod last_step;
 mod load_by_stiffness;
 mod moving_rails;
 pub mod output;

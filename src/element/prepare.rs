@@ -7,6 +7,7 @@ use super::contact::rail_friction::RailFriction;
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
 use super::input::Input;
+use super::last_step::PoseForces;
 use super::parameters::deviations::{rail_deviations, wheel_deviations};
 use super::parameters::{FoundationModel, Parameters, Placement, RAILS, Side, WearModel};
 use super::rail::rail_contact::RailContact;
@@ -182,6 +183,7 @@ impl Element {
         let mut element = Self {
             expected: None,
             carried: None,
+            pose_forces: PoseForces::new(models.patches.capacity()),
             side: parameters.side,
             vertical_mode: parameters.vertical_mode,
             rolling: FreeRolling::of(parameters),

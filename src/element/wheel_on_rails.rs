@@ -6,6 +6,7 @@ use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
+use super::last_step::PoseForces;
 use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
 use super::quasi_static_rails::Rested;
@@ -37,6 +38,8 @@ pub struct Element {
     pub(super) expected: Option<(Carried, Pose)>,
     /// How that of the last one was carried, if its balance led there.
     pub(super) carried: Option<Carried>,
+    /// Forces of the last pose of a search for it.
+    pub(super) pose_forces: PoseForces,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],

@@ -29,11 +29,6 @@ impl<const N: usize> Broyden<N> {
         (self.at, self.left) = (at, left);
     }
 
-    /// What a step is believed to take off.
-    pub fn matrix(&self) -> &SMatrix<f64, N, N> {
-        &self.matrix
-    }
-
     /// Where nothing would be left, and the step to there; nothing where the matrix is singular.
     pub fn next(&self) -> Option<[SVector<f64, N>; 2]> {
         let step = self.matrix.try_inverse()? * self.left;

@@ -14,6 +14,8 @@ pub struct Descent {
     pub pose: Pose,
     /// Way down from the pose [m].
     pub way: f64,
+    /// Vertical force of the normal loads before that, where the geometry is their own [N].
+    pub resting: f64,
     /// Vertical force of the normal loads there [N], and its derivative by the way, 0 before they
     /// are known [N/m].
     pub reached: f64,
@@ -39,6 +41,7 @@ impl Descent {
             wanted,
             pose: Pose::New,
             way: 0.0,
+            resting: 0.0,
             reached: 0.0,
             stiffness: 0.0,
             growth: 1.0,
@@ -62,6 +65,7 @@ impl Descent {
     /// [N/m] to where the force that is sought would be: `look` is told the way [m], lets loads grow
     /// by it as their derivatives tell, and gives their vertical force [N].
     pub fn look_down(&mut self, [reached, stiffness]: [f64; 2], look: impl FnOnce(f64) -> f64) {
+        self.resting = reached;
         self.way = way_between(reached, stiffness, self.wanted);
         self.stiffness = stiffness * (self.wanted / reached).cbrt();
         self.reached = self.wanted;
@@ -78,6 +82,9 @@ impl Descent {
         for trial in 1..=MOST_STEPS {
             let (reached, slope) = carried(self, step);
             self.reached = reached;
+            if trial == 1 {
+                self.resting = reached;
+            }
             // Forces grow with the power 3/2 of a depth: what is missing of its 2/3 is straight.
             let missing = (self.wanted / reached).powf(2.0 / 3.0) - 1.0;
             let secant = last.map(|[way, before]| {
