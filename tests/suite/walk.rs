@@ -139,7 +139,7 @@ fn a_contact_that_begins_makes_no_jump() {
     let mut start = rolling(0.0, 20.0);
     let wheel = &mut start.wheel;
     wheel.position[1] = 0.758_147_822_965_098_3;
-    wheel.position[2] = -0.460_154_241_810_385_77;
+    wheel.position[2] = -0.460_154_241_810_385_8;
     (wheel.roll, wheel.yaw) = (3.197_382_974_731_077_4e-3, -2.550_739_887_315_671_3e-3);
     let line = Line { start, y: 0.0, z: 0.0, roll: 0.0, yaw: 20.0, along: 0.0, pitch: 0.0 };
     let middle = Line { start: line.at(-0.5 * STEP * STEPS as f64), ..line };
