@@ -30,7 +30,7 @@ const ON_PEDESTAL: f64 = 2.0;
 /// Square of that half width over the variance of a place, weighted so.
 const SQUARE_OVER_VARIANCE: f64 = 7.0;
 
-/// A place up to which nodes are measured.
+/// A place up to which nodes are measured; those of an interval are equally far apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Station<T> {
     /// Coordinate across [m], and number of the sample before it.
@@ -92,7 +92,7 @@ impl<T: Real> Lattice<T> {
         let is_skewed = self.is_skewed();
         let Self { stations, depth, radius, .. } = self;
         for stations in stations.chunks_exact_mut(PLACES) {
-            let h = stations[PLACES - 1].y - stations[0].y;
+            let h = stations[1].y - stations[0].y;
             let from = stations[0].x;
             let shares = from_fn(|k| stations[k].share);
             let places = from_fn(|k| stations[k].x - from);
@@ -195,15 +195,14 @@ impl<T: Real> Lattice<T> {
     pub(super) fn between_stations(&self, k: usize, t: T) -> T {
         let [a, b] = [&self.stations[k], &self.stations[k + 1]];
         let (h, step) = (b.y - a.y, b.measure - a.measure);
+        // Twice the way from one neighbour to the other, where both are of the interval.
         let of_interval = |of: &&Station<T>| of.interval == a.interval;
         let before = k.checked_sub(1).map(|k| &self.stations[k]).filter(of_interval);
         let behind = self.stations.get(k + 2).filter(of_interval);
-        // The rates at both ends over that of the step: those from one neighbour to the other, where
-        // both are of the interval.
-        let rate = |from: &Station<T>, to: &Station<T>| {
-            (to.y - from.y) * step / ((to.measure - from.measure) * h)
-        };
-        let (from, to) = (rate(before.unwrap_or(a), b), rate(a, behind.unwrap_or(b)));
+        // Twice the share of the step in that to the neighbour beyond: the rates at both ends.
+        let from = before.map_or(step, |before| a.measure - before.measure) + step;
+        let to = behind.map_or(step, |behind| behind.measure - b.measure) + step;
+        let [from, to] = [from, to].map(|both| step * 2.0 / both);
         let bend = -(from * 2.0) - to + 3.0;
         a.y + h * (t * (from + t * (bend + t * (from + to - 2.0))))
     }

@@ -172,7 +172,7 @@ impl<T: Real> Lattice<T> {
         }
         let mut sample = first;
         for k in 0..=lobes::STEPS {
-            let y = low + (high - low) * lobes::AT[k];
+            let y = low + (high - low) * (k as f64 / lobes::STEPS as f64);
             while sample + 2 < self.samples.len() && self.samples[sample + 1].at.y <= y {
                 sample += 1;
             }
