@@ -37,7 +37,8 @@ pub(crate) const MOST_POSES: usize = 12;
 pub(crate) const LONGEST: f64 = 0.5;
 /// Share of a way that all forces are wrong by, as the geometry is that of its beginning: at least
 /// that, beside the step from another pose and half of what that geometry was wrong by for the way
-/// itself; and where there is no other pose.
+/// itself; and where there is no other pose. These and the next ones are chosen so that forces of
+/// random loads are within 1e-9 of the load of those at the height found.
 const WRONG: [f64; 2] = [1e-3, 0.05];
 /// The same that normals turn by on the way, over the square of the slope across of the contact.
 const TURNING: f64 = 0.1;

@@ -4,7 +4,8 @@
 //! The [`balance`](super::balance) of a pose says which one to try next, each but the first from the
 //! solution of the one before. Where the first one is say the ellipses of the overlaps that strips are
 //! pressed by, or contacts by themselves, with creep forces. Where the geometry of a pose will do and
-//! load is missing, it is its forces that are found anew.
+//! load is missing, it is its forces that are found anew, or, where little is, all of them take the
+//! last step at once.
 
 use nalgebra::SMatrix;
 

@@ -14,7 +14,8 @@ pub struct Descent {
     pub pose: Pose,
     /// Way down from the pose [m].
     pub way: f64,
-    /// Vertical force of the normal loads before that, where the geometry is their own [N].
+    /// Vertical force of the normal loads at first: but for a pose that stays those before the way,
+    /// whose geometry is their own [N].
     pub resting: f64,
     /// Vertical force of the normal loads there [N], and its derivative by the way, 0 before they
     /// are known [N/m].
