@@ -83,7 +83,7 @@ impl<'a> LocalLine<'a> {
     }
 
     /// The strip at `place` as far as the rail goes.
-    fn on_rail(&self, place: LinePlace) -> LinePlace {
+    pub fn on_rail(&self, place: LinePlace) -> LinePlace {
         let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
         LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
     }
@@ -138,6 +138,30 @@ impl OverlapLine for LocalLine<'_> {
             return self.varying_radius(at);
         }
         self.line.wheel_point(at.u).section_radius
+    }
+}
+
+/// The strip at parameter `u` of the `line` and `y` of the `rail`, as if that had no end.
+///
+/// The rail is taken where the strip lies on it. Strips know their parameter of the line less well:
+/// its rate jumps where the curvature of a wheel does.
+pub(super) fn whole_strip<T: Real>(
+    line: &ContactLine<T>,
+    rail: &RailOutline<T>,
+    [u, y]: [T; 2],
+) -> LinePlace<T> {
+    let (at, on) = (line.at(u), rail.at(y));
+    let slowness = T::from(1.0) / on.first[0].hypotenuse(on.first[1]);
+    let tangent = on.first.map(|first| first * slowness);
+    let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
+    LinePlace {
+        u,
+        y,
+        dy: T::from(1.0),
+        overlap: to[1] * tangent[0] - to[0] * tangent[1],
+        overlap_slope: T::from(0.0),
+        x: rail.ahead(y).map_or(at.x, |ahead| at.x + ahead),
+        tangent,
     }
 }
 

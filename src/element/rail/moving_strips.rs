@@ -1,7 +1,7 @@
 //! The strip model on a wheel and a rail with derivatives: the solution of plain numbers, moved.
 
 use super::cut_strip::{self, CutStrip};
-use super::local_line::{LocalLine, MIN_RATE, bridge, radius_on_rows};
+use super::local_line::{LocalLine, MIN_RATE, bridge, radius_on_rows, whole_strip};
 use super::strip_damping::StripDamping;
 use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::models::Models;
@@ -66,6 +66,16 @@ impl<T: Real> MovingLocal<'_, T> {
         cut_strip::cut(self.depth, gap, self.varying_radius(place), ends)
     }
 
+    /// The strip at `place` as far as the rail goes.
+    fn on_rail(&self, place: LinePlace<T>) -> LinePlace<T> {
+        match self.cut(&place) {
+            None => place,
+            Some(CutStrip { ahead, less, .. }) => {
+                LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
+            }
+        }
+    }
+
     /// Radius of the section of wheel and rail together at a `place`, waves of both bridged [m].
     fn varying_radius(&self, place: &LinePlace<T>) -> T {
         let even = self.line.wheel_point(place.u).section_radius;
@@ -77,12 +87,7 @@ impl<T: Real> MovingLocal<'_, T> {
 impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
     fn place(&mut self, u: T) -> LinePlace<T> {
         let place = self.whole_place(u);
-        match self.cut(&place) {
-            None => place,
-            Some(CutStrip { ahead, less, .. }) => {
-                LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
-            }
-        }
+        self.on_rail(place)
     }
 
     fn radius(&mut self, at: &LinePlace<T>) -> T {
@@ -140,9 +145,9 @@ pub fn take_zone<T: Real>(
 ) -> TakenZone<T> {
     let value = line.value();
     let found = LocalLine::of(&value, rail.rail, search);
-    let mut local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
-    let taken = zone_in_frame(index, damping, models, |u| {
-        let LinePlace { x, tangent, overlap, .. } = local.place(u);
+    let local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
+    let taken = zone_in_frame(index, damping, models, |[u, y]| {
+        let LinePlace { x, tangent, overlap, .. } = local.on_rail(whole_strip(line, rail, [u, y]));
         let at = line.at(u);
         LocalPlace { point: at.point, tangent, overlap, ahead: x - at.x }
     });

@@ -5,7 +5,7 @@
 //! chosen beforehand, so that nothing changes over when another place becomes the deepest, or when
 //! overlaps join or part. Each loaded zone then gets its frame from its own load.
 
-use super::local_line::LocalLine;
+use super::local_line::{LocalLine, whole_strip};
 use super::strip_damping::StripDamping;
 use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds};
@@ -17,9 +17,9 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::separation::Probe;
 use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::normal::Descent;
-use crate::normal::least_energy::{LinePlace, OverlapLine};
 
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
 /// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
@@ -140,12 +140,12 @@ fn take_zone(
     damping: &StripDamping,
     models: &mut Models,
 ) -> TakenZone {
-    let mut local = LocalLine::of(line, rail, search);
-    let place = |u| {
-        let LinePlace { x, tangent, overlap, .. } = local.place(u);
+    let (local, outline) = (LocalLine::of(line, rail, search), RailOutline::at_rest(rail));
+    let place = |[u, y]: [f64; 2]| {
+        let strip = local.on_rail(whole_strip(line, &outline, [u, y]));
         let at = line.at(u);
-        let ahead = x - at.x + line.ahead_of_round(u);
-        LocalPlace { point: at.point, tangent, overlap, ahead }
+        let ahead = strip.x - at.x + line.ahead_of_round(u);
+        LocalPlace { point: at.point, tangent: strip.tangent, overlap: strip.overlap, ahead }
     };
     let taken = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, of_last_zone(&models.strips));

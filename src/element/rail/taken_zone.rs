@@ -60,12 +60,13 @@ pub(in crate::element) fn of_last_zone<T>(strips: &Strips<T>) -> &[T] {
 }
 
 /// Adds zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
-/// own, with derivatives where the numbers have them; `place` is that at a parameter of the line.
+/// own, with derivatives where the numbers have them; `place` is that of a
+/// strip at a parameter of the line and one of the rail.
 pub(in crate::element) fn zone_in_frame<T: Real>(
     index: usize,
     damping: &StripDamping<T>,
     models: &mut Models<T>,
-    mut place: impl FnMut(T) -> LocalPlace<T>,
+    place: impl Fn([T; 2]) -> LocalPlace<T>,
 ) -> TakenZone<T> {
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     let mut zone = all.zones[index];
@@ -74,7 +75,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
     let (mut penetration, mut ahead) = (zero, zero);
     for j in zone.range() {
-        let own = place(all.u[j]);
+        let own = place([all.u[j], all.y[j]]);
         let LocalPlace { point, tangent: direction, overlap, .. } = own;
         let at = [all.x[j], all.y[j], all.u[j]];
         let factor = damping.factor(*coefficient, at, point, direction, overlap);

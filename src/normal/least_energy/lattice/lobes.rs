@@ -14,16 +14,43 @@ use std::ops::Range;
 use crate::math::real::Real;
 use crate::math::vectors::with_vectors;
 
-/// Steps of an interval.
-pub(super) const STEPS: usize = 32;
+/// Steps of an interval. Two intervals that join have half of them each: with so many, and closer at
+/// the ends, forces jump by 1e-4 at most where they do.
+pub(super) const STEPS: usize = 48;
 /// Places of an interval: where steps begin and end.
 pub(super) const PLACES: usize = STEPS + 1;
+/// How much closer to each other places are at the ends of an interval than in the mean, where the
+/// overlap is steep.
+const CLOSE: f64 = 0.7;
+/// Places over the length of their interval.
+pub(super) const AT: [f64; PLACES] = {
+    let mut at = [0.0; PLACES];
+    let mut k = 0;
+    while k < PLACES {
+        let t = k as f64 / STEPS as f64;
+        at[k] = t * (1.0 - CLOSE) + t * t * (3.0 - 2.0 * t) * CLOSE;
+        k += 1;
+    }
+    at
+};
+/// Share of each place in an integral over the interval.
+const WEIGHTS: [f64; PLACES] = {
+    let mut weights = [0.0; PLACES];
+    let mut k = 0;
+    while k < STEPS {
+        let half = 0.5 * (AT[k + 1] - AT[k]);
+        weights[k] += half;
+        weights[k + 1] += half;
+        k += 1;
+    }
+    weights
+};
 /// What is found for each place: five sums and the pedestal.
 const SUMS: usize = 6;
 
-/// Sums over the lobe of each of some places that are equally far apart: of the share of the depth
-/// there, its square and its cube, and with `SKEWED` of the square times what else is known of the
-/// places and times the square of that; and the pedestal; for shares that are not negative.
+/// Integrals over the lobe of each of the places of an interval, over its length: of the share of the
+/// depth there, its square and its cube, and with `SKEWED` of the square times what else is known of
+/// the places and times the square of that; and the pedestal; for shares that are not negative.
 pub(super) fn sums<T: Real, const SKEWED: bool>(
     shares: &[T; PLACES],
     others: &[T; PLACES],
@@ -50,10 +77,11 @@ fn is_one_lobe<T: Real>(shares: &[T; PLACES]) -> bool {
 /// The sums over all places.
 fn over_all<T: Real>(shares: &[T; PLACES], others: &[T; PLACES]) -> [[T; PLACES]; SUMS] {
     let mut sums = [T::from(0.0); SUMS];
-    for (&share, &other) in shares.iter().zip(others) {
-        let square = share * share;
+    for ((&share, &other), weight) in shares.iter().zip(others).zip(WEIGHTS) {
+        let own = share * weight;
+        let square = share * own;
         let product = square * other;
-        let terms = [share, square, square * share, product, product * other];
+        let terms = [own, square, square * share, product, product * other];
         for (sum, term) in sums.iter_mut().zip(terms) {
             *sum += term;
         }
@@ -75,11 +103,13 @@ fn over_lobes<T: Real, const SKEWED: bool>(
             let mut least = zero;
             for (place, (&share, &other)) in shares.iter().zip(others).enumerate() {
                 least[place] = share;
-                add::<T, SKEWED>([share, other], shares, &mut least, &mut sums, 0..place + 1);
+                let own = [share, other, T::from(WEIGHTS[place])];
+                add::<T, SKEWED>(own, shares, &mut least, &mut sums, 0..place + 1);
             }
             for (place, (&share, &other)) in shares.iter().zip(others).enumerate().rev() {
                 least[place] = share;
-                add::<T, SKEWED>([share, other], shares, &mut least, &mut sums, place + 1..PLACES);
+                let own = [share, other, T::from(WEIGHTS[place])];
+                add::<T, SKEWED>(own, shares, &mut least, &mut sums, place + 1..PLACES);
             }
             sums
         },
@@ -90,13 +120,14 @@ fn over_lobes<T: Real, const SKEWED: bool>(
 /// raises their pedestals to what the way to it tells.
 #[inline(always)]
 fn add<T: Real, const SKEWED: bool>(
-    [share, other]: [T; 2],
+    [share, other, weight]: [T; 3],
     shares: &[T; PLACES],
     least: &mut [T; PLACES],
     [first, second, third, fourth, fifth, pedestal]: &mut [[T; PLACES]; SUMS],
     places: Range<usize>,
 ) {
-    let (square, cube) = (share * share, share * share * share);
+    let own = share * weight;
+    let (square, cube) = (share * own, share * share * own);
     let product = square * other;
     let other_square = product * other;
     // Of one length that is known to be right, so that the loop has no bounds to check and is made
@@ -117,7 +148,7 @@ fn add<T: Real, const SKEWED: bool>(
         let valley = T::from(1.0) - power;
         let valley = (valley * valley) * (valley * valley);
         pedestal[place] = pedestal[place].max(least[place] * (valley * valley));
-        first[place] += weight * share;
+        first[place] += weight * own;
         second[place] += weight * square;
         third[place] += weight * cube;
         if SKEWED {
@@ -174,6 +205,8 @@ fn slopes_at(
         let terms = [share, square, square * share, square * other, square * other * other];
         let rates =
             [1.0, 2.0 * share, 3.0 * square, 2.0 * share * other, 2.0 * share * other * other];
+        let [terms, rates] =
+            [terms, rates].map(|numbers| numbers.map(|number| number * WEIGHTS[k]));
         for sum in 0..5 {
             by_share[sum][k] += weight * rates[sum];
             // Where there is no share, it does not move.
@@ -183,8 +216,8 @@ fn slopes_at(
                 }
             }
         }
-        by_other[0][k] += weight * square;
-        by_other[1][k] += weight * square * 2.0 * other;
+        by_other[0][k] += weight * square * WEIGHTS[k];
+        by_other[1][k] += weight * square * 2.0 * other * WEIGHTS[k];
     };
     let mut least = place;
     for k in place..PLACES {

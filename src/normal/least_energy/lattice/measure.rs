@@ -20,7 +20,7 @@ use super::super::line::OverlapLine;
 use super::Lattice;
 use super::lobes::{self, PLACES};
 use super::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL, Parabola};
-use super::sample::{Sample, between};
+use super::sample::{Sample, between, radius};
 use crate::math::real::Real;
 
 /// The integral of the measure for a parabola, n/A apart.
@@ -30,7 +30,7 @@ const ON_PEDESTAL: f64 = 2.0;
 /// Square of that half width over the variance of a place, weighted so.
 const SQUARE_OVER_VARIANCE: f64 = 7.0;
 
-/// A place up to which nodes are measured; those of an interval are equally far apart.
+/// A place up to which nodes are measured.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Station<T> {
     /// Coordinate across [m], and number of the sample before it.
@@ -61,7 +61,8 @@ impl<T: Real> Lattice<T> {
         let Some(Parabola { depth, half_width, y }) = Parabola::of(&self.stations) else {
             return false;
         };
-        let radius = line.radius(&self.at(y).at);
+        let (samples, t) = self.around(y);
+        let radius = radius(line, samples, t, between(samples[0], samples[1], t).at);
         // Where the wheel stands upright this grows beyond all bounds and comes back from below.
         let radius = if radius.value() < 0.0 { -radius } else { radius };
         (self.depth, self.half_width, self.radius) = (depth, half_width, radius);
@@ -74,9 +75,15 @@ impl<T: Real> Lattice<T> {
 
     /// What samples say of the place `y` across.
     pub(super) fn at(&self, y: T) -> Sample<T> {
+        let (samples, t) = self.around(y);
+        between(samples[0], samples[1], t)
+    }
+
+    /// The samples before and behind the place `y` across, and its share of the way between them.
+    fn around(&self, y: T) -> ([&Sample<T>; 2], T) {
         let before = self.sample_before(y);
         let [a, b] = [&self.samples[before], &self.samples[before + 1]];
-        between(a, b, ((y - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0))
+        ([a, b], ((y - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0))
     }
 
     /// Number of the sample before the place `y` across, of an interval that goes on behind it.
@@ -92,7 +99,7 @@ impl<T: Real> Lattice<T> {
         let is_skewed = self.is_skewed();
         let Self { stations, depth, radius, .. } = self;
         for stations in stations.chunks_exact_mut(PLACES) {
-            let h = stations[1].y - stations[0].y;
+            let h = stations[PLACES - 1].y - stations[0].y;
             let from = stations[0].x;
             let shares = from_fn(|k| stations[k].share);
             let places = from_fn(|k| stations[k].x - from);
@@ -195,14 +202,15 @@ impl<T: Real> Lattice<T> {
     pub(super) fn between_stations(&self, k: usize, t: T) -> T {
         let [a, b] = [&self.stations[k], &self.stations[k + 1]];
         let (h, step) = (b.y - a.y, b.measure - a.measure);
-        // Twice the way from one neighbour to the other, where both are of the interval.
         let of_interval = |of: &&Station<T>| of.interval == a.interval;
         let before = k.checked_sub(1).map(|k| &self.stations[k]).filter(of_interval);
         let behind = self.stations.get(k + 2).filter(of_interval);
-        // Twice the share of the step in that to the neighbour beyond: the rates at both ends.
-        let from = before.map_or(step, |before| a.measure - before.measure) + step;
-        let to = behind.map_or(step, |behind| behind.measure - b.measure) + step;
-        let [from, to] = [from, to].map(|both| step * 2.0 / both);
+        // The rates at both ends over that of the step: those from one neighbour to the other, where
+        // both are of the interval.
+        let rate = |from: &Station<T>, to: &Station<T>| {
+            (to.y - from.y) * step / ((to.measure - from.measure) * h)
+        };
+        let (from, to) = (rate(before.unwrap_or(a), b), rate(a, behind.unwrap_or(b)));
         let bend = -(from * 2.0) - to + 3.0;
         a.y + h * (t * (from + t * (bend + t * (from + to - 2.0))))
     }

@@ -17,7 +17,7 @@ use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use lobes::PLACES;
 use measure::Station;
-use sample::{MAX_SAMPLES, Sample, between};
+use sample::{MAX_SAMPLES, Sample, between, radius};
 
 /// Width of a hat beyond the end of its overlap where the node stands on that, over that of the
 /// overlap: no hat is without width. It shrinks as the node goes inside, to nothing three times as
@@ -187,7 +187,7 @@ impl<T: Real> Lattice<T> {
         let LinePlace { u, y, x, tangent, overlap: depth, .. } = at;
         let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
         self.integrals.push(integrals);
-        let radius = line.radius(&at);
+        let radius = radius(line, [a, b], t, at);
         // Off the line of greatest overlap there is less of it.
         let off = (x - centre) * spread;
         let less = off * off * 0.5 / radius;

@@ -109,6 +109,21 @@ pub(super) fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> 
     Sample { at, interval: a.interval, slope: [slope; 2], rate: [rate; 2], integrals: [one, two] }
 }
 
+/// Radius of the normal section along x at the place `at` the share `t` of the way between two
+/// samples [m].
+///
+/// The parameter goes straight from one to the other. Where the curvature of a wheel jumps, its
+/// rate does, and with that a cubic would as a sample passes there.
+pub(super) fn radius<T: Real>(
+    line: &mut impl OverlapLine<T>,
+    [a, b]: [&Sample<T>; 2],
+    t: T,
+    at: LinePlace<T>,
+) -> T {
+    let u = a.at.u + (b.at.u - a.at.u) * t;
+    line.radius(&LinePlace { u, ..at })
+}
+
 impl<T: Real> Sample<T> {
     /// This one, `weight` of the way towards another one of the same place across.
     fn towards(&self, other: &Self, weight: T) -> Self {
@@ -172,7 +187,7 @@ impl<T: Real> Lattice<T> {
         }
         let mut sample = first;
         for k in 0..=lobes::STEPS {
-            let y = low + (high - low) * (k as f64 / lobes::STEPS as f64);
+            let y = low + (high - low) * lobes::AT[k];
             while sample + 2 < self.samples.len() && self.samples[sample + 1].at.y <= y {
                 sample += 1;
             }
