@@ -11,8 +11,8 @@ use nalgebra::SMatrix;
 
 use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, normal_force_down};
 use super::input::Input;
-use super::output::{Output, heaviest_first};
-use super::parameters::FoundationModel;
+use super::output::{Output, heaviest};
+use super::parameters::{FoundationModel, Side};
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
 use crate::math::broyden::Broyden;
@@ -60,6 +60,18 @@ pub(crate) struct PosedWheel {
     /// What was known about how it is carried there.
     pub about: Carried,
     pub placed: Placed,
+    /// How far down it may go with the roll of its axle, as its place of contact turns about the
+    /// marker [m].
+    pub down_with_roll: f64,
+}
+
+/// What is known of how the load of an evaluation is carried.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Expected {
+    /// About how it is, and what its pose has to do with that of the last problem.
+    About(Carried, Pose),
+    /// How it is: the output that is handed over has the forces.
+    Found(Carried),
 }
 
 impl PosedWheel {
@@ -75,10 +87,9 @@ impl PosedWheel {
 }
 
 impl Element {
-    /// Says about how the load of the next evaluation will be carried, if that is known, and what its
-    /// pose has to do with that of the last one.
-    pub(crate) fn expect(&mut self, carried: Option<(Carried, Pose)>) {
-        self.expected = carried;
+    /// Says how the load of the next evaluation is carried, if that is known.
+    pub(crate) fn expect(&mut self, expected: Option<Expected>) {
+        self.expected = expected;
     }
 
     /// What this wheel and its rails are held by under the load of `input`; nothing where rails have
@@ -110,16 +121,17 @@ impl Element {
     pub(super) fn load_by_stiffness(
         &mut self,
         clear: f64,
-        expected: Option<(Carried, Pose)>,
+        expected: Option<Expected>,
         input: &mut Input,
         output: &mut Output,
     ) -> Option<u64> {
         let held = Held { load: input.wheel_load, lateral_stiffness: None };
         let given = *input;
-        let mut found = expected.and_then(|(about, pose)| {
+        let mut found = None;
+        if let Some(Expected::About(about, pose)) = expected {
             let way = Way { about, pose, to: To::TheEnd };
-            self.balanced(held, way, &given, input, output)
-        });
+            found = self.balanced(held, way, &given, input, output);
+        }
         if found.is_none() {
             let about = self.guess(clear, input, output)?;
             let way = Way { about, pose: Pose::New, to: To::TheEnd };
@@ -197,17 +209,29 @@ impl Element {
         None
     }
 
-    /// About how this wheel carries the load of `input`, and the heaviest patch there as the first
-    /// one of `output`; nothing where its rails have a mass or where it is not one rail that carries
-    /// it.
-    pub(crate) fn guess_load(&mut self, input: &Input, output: &mut Output) -> Option<Carried> {
+    /// About how this wheel carries the load of `input`, and how far down it may go with the roll of
+    /// its axle there, as its place of contact turns about the marker [m]; nothing where its rails
+    /// have a mass or where it is not one rail that carries it.
+    pub(crate) fn guess_load(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+    ) -> Option<(Carried, f64)> {
         let given = self.side.mirror(*input);
         let held = self.held_under_load(&given).filter(|_| input.wheel_load > 0.0)?;
         let (about, _) = self.guess_held(&held, &given, output)?;
-        heaviest_first(&mut self.models.patches);
-        output.patches[0] = *self.models.patches.first()?;
-        self.side.mirror_in_place(output);
-        Some(about)
+        let [_, y, _] = given.wheel.position;
+        let down_with_roll = self.down_with_roll([y, about.z])?;
+        Some((about, down_with_roll))
+    }
+
+    /// How far down this wheel may go with the roll of its axle, which is not mirrored, as the place
+    /// of the heaviest of its patches turns about the marker (y, z) of a right side [m].
+    fn down_with_roll(&self, [y, z]: [f64; 2]) -> Option<f64> {
+        let patch = heaviest(&self.models.patches)?;
+        let [_, across, down] = patch.position;
+        let turned = (z - down) * patch.contact_angle.tan() + y - across;
+        Some(if self.side == Side::Left { -turned } else { turned })
     }
 
     /// The same for `given` (right side), which is `held` so, with the forces of all patches; and how
@@ -244,7 +268,8 @@ impl Element {
         guessed
     }
 
-    /// The pose of `input` under its load, with what is known `about` how it is carried there.
+    /// The pose of `input` under its load, with what is known `about` how it is carried there; but
+    /// for a new one `output` has the forces of the one before.
     pub(crate) fn pose_under_load(
         &mut self,
         input: &Input,
@@ -252,11 +277,23 @@ impl Element {
         pose: Pose,
         output: &mut Output,
     ) -> Option<PosedWheel> {
+        if pose != Pose::New {
+            self.pose_forces.keep(output, &self.models.patches);
+        }
         let given = self.side.mirror(*input);
         let held = self.held_under_load(&given)?;
         let input = self.put(&given, &held, about);
         let placed = self.press(about, pose, &input, output)?;
-        (placed.left_out == 0).then_some(PosedWheel { held, about: *about, placed })
+        let [_, y, z] = input.wheel.position;
+        let down_with_roll = self.down_with_roll([y, z])?;
+        let posed = PosedWheel { held, about: *about, placed, down_with_roll };
+        (placed.left_out == 0).then_some(posed)
+    }
+
+    /// Lets the forces of `output`, which are those of the last pose, go on by `part` of what the last
+    /// two poses under a load changed them by; false, and nothing changed, where that is not told.
+    pub(crate) fn go_on(&mut self, part: f64, output: &mut Output) -> bool {
+        self.pose_forces.go_on(part, output, &mut self.models.patches)
     }
 
     /// About how the load is carried by one rail, by contacts each by itself, found at a height

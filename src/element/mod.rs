@@ -34,12 +34,12 @@ mod work;
 pub(crate) mod work_pairs;
 mod worn_profiles;
 
-pub(crate) use balance::{Balance, Carried, LONGEST, MOST_POSES};
+pub(crate) use balance::{Balance, Carried, LONGEST, MOST_POSES, Placed};
 pub use contact_history::ContactHistory;
 pub(crate) use free_rolling::FreeRolling;
 pub use gradient::{Gradient, ParameterSlopes};
 pub use input::Input;
-pub(crate) use load_by_stiffness::PosedWheel;
+pub(crate) use load_by_stiffness::{Expected, PosedWheel};
 pub use output::Output;
 pub use parameters::Parameters;
 pub use parameters::foundation::TrackState;

@@ -21,7 +21,7 @@ use super::balance::Carried;
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, move_all};
-use super::load_by_stiffness::{To, Way};
+use super::load_by_stiffness::{Expected, To, Way};
 use super::output::{Output, heaviest};
 use super::parameters::foundation::TrackState;
 use super::parameters::{FoundationModel, VerticalMode};
@@ -70,7 +70,7 @@ impl Trials<'_> {
     fn left(&mut self, y: f64, input: &mut Input, output: &mut Output) -> f64 {
         let step = y - self.last;
         let carried = self.carried.filter(|_| step.abs() <= NEAR);
-        self.element.expect(carried.map(|carried| (carried, Pose::Near)));
+        self.element.expect(carried.map(|carried| Expected::About(carried, Pose::Near)));
         let ([left, _], _) = self.element.try_deflection(self.given, [y, self.sunk], input, output);
         (self.carried, self.last) = (self.element.carried, y);
         left
@@ -201,7 +201,8 @@ impl Element {
         });
         let Rested { deflection, left, carried, .. } = rested;
         // The forces are those of rails that are put there, whatever led to it, also long ago.
-        self.expected = self.expected.or(carried.map(|carried| (carried, Pose::New)));
+        let known = carried.map(|carried| Expected::About(carried, Pose::New));
+        self.expected = self.expected.or(known);
         let (_, fallbacks) = self.try_deflection(&given, deflection, input, output);
         self.rested = Some(rested);
         (deflection, left, fallbacks)

@@ -22,6 +22,7 @@
 //! go on for ever.
 
 use super::input::Input;
+use super::load_by_stiffness::Expected;
 use super::output::{Output, heaviest};
 use super::wheel_on_rails::Element;
 use crate::math::root::bracketed;
@@ -76,6 +77,11 @@ impl Element {
         let own_height = input.wheel.position[2];
         let expected = self.expected.take();
         self.carried = None;
+        if let Some(Expected::Found(carried)) = expected {
+            input.wheel.position[2] = carried.z;
+            self.carried = Some(carried);
+            return 0;
+        }
         // The given height must not matter, not even in the last digit.
         input.wheel.position[2] = -self.nominal_radius;
         let clear = self.height_near_touch(input);

@@ -7,6 +7,7 @@ use super::derivative_memory::DerivativeMemory;
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
 use super::last_step::PoseForces;
+use super::load_by_stiffness::Expected;
 use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
 use super::quasi_static_rails::Rested;
@@ -14,7 +15,6 @@ use super::rail::rail_contact::RailContact;
 use super::start_warning::StartWarning;
 use super::work::Work;
 use crate::geometry::profiles::profile::ProfileRemark;
-use crate::normal::Pose;
 
 /// A wheel and the rails under it, ready to be evaluated.
 ///
@@ -33,9 +33,8 @@ pub struct Element {
     /// How rails without mass rested last: asked for derivatives at an input, they are not to be
     /// sought again.
     pub(super) rested: Option<Rested>,
-    /// About how the load of the next evaluation will be carried, if that is known, and what that has
-    /// to do with the pose of the last one.
-    pub(super) expected: Option<(Carried, Pose)>,
+    /// How the load of the next evaluation is carried, if that is known.
+    pub(super) expected: Option<Expected>,
     /// How that of the last one was carried, if its balance led there.
     pub(super) carried: Option<Carried>,
     /// Forces of the last pose of a search for it.

@@ -6,7 +6,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Input, LEFT, RIGHT};
-use crate::element::{Balance, Carried, PosedWheel};
+use crate::element::{Balance, Carried, Placed, PosedWheel};
 use crate::math::broyden::Broyden;
 
 /// Balances of both wheels, solved together.
@@ -15,23 +15,28 @@ pub struct BothWheels {
     search: Broyden<6>,
     /// Distance of the markers [m].
     between: f64,
+    /// Both wheels at the pose before the last one.
+    before: Option<[Placed; 2]>,
+    last: [Placed; 2],
 }
 
 impl BothWheels {
-    /// From a first pose of both at the wheelset of `input`, whose `markers` are so far to the
-    /// right, and whose wheels may go down with the roll by `slopes`, as their places of contact turn
-    /// about the markers [m].
-    pub fn at(input: &Input, markers: [f64; 2], slopes: [f64; 2], posed: &[PosedWheel; 2]) -> Self {
+    /// From a first pose of both at the wheelset of `input`, whose `markers` are so far to the right
+    /// [m].
+    pub fn at(input: &Input, markers: [f64; 2], posed: &[PosedWheel; 2]) -> Self {
         let balances = posed.each_ref().map(PosedWheel::balance);
         let between = markers[RIGHT] - markers[LEFT];
-        let ways = [RIGHT, LEFT].map(|k| (markers[k] - slopes[k]) / between);
+        let ways = [RIGHT, LEFT].map(|k| (markers[k] - posed[k].down_with_roll) / between);
         let unknowns = unknowns(&balances, input, between, posed);
         let search = Broyden::new(matrix(&balances, ways), unknowns, residuals(&balances));
-        Self { balances, search, between }
+        let last = posed.each_ref().map(|posed| posed.placed);
+        Self { balances, search, between, before: None, last }
     }
 
     /// Takes over what another pose of both tells.
     pub fn take(&mut self, input: &Input, posed: &[PosedWheel; 2]) {
+        self.before = Some(self.last);
+        self.last = posed.each_ref().map(|posed| posed.placed);
         for (balance, posed) in self.balances.iter_mut().zip(posed) {
             balance.take(&posed.placed, posed.about.aside);
         }
@@ -42,6 +47,12 @@ impl BothWheels {
     /// Greatest residual at the last pose, over loads and their depths [-].
     pub fn left(&self) -> f64 {
         residuals(&self.balances).amax()
+    }
+
+    /// How far all forces of wheel `k` have to go on beyond the last pose, over what changed from the
+    /// one before to it, for its load to be carried; nothing where both do not tell.
+    pub fn further(&self, k: usize) -> Option<f64> {
+        self.balances[k].further(&self.before?[k])
     }
 
     /// Puts the wheelset of `input` where nothing would be left, and what is then known of both

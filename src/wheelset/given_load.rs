@@ -13,7 +13,7 @@
 
 use super::both_wheels::BothWheels;
 use super::{Input, LEFT, Output, RIGHT, SIDES, TrackTurn, Wheelset, on_side};
-use crate::element::{Carried, Element, LONGEST, MOST_POSES, PosedWheel};
+use crate::element::{Carried, Element, Expected, LONGEST, MOST_POSES, PosedWheel};
 use crate::error::ContactError;
 use crate::math::root::outward;
 use crate::normal::Pose;
@@ -25,53 +25,54 @@ const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
 /// What may be left of the balances at the last pose but one, over loads and their depths: the step
-/// from it leaves less than a hundredth of that, 1e-14 m, and each side finds its own height then.
-const NEARLY: f64 = 1e-8;
+/// from it leaves less than a hundredth of that, [`MISSED`] of heights, and each side finds its own
+/// then.
+const NEARLY: f64 = 1e-6;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
-/// About how both wheels carry their loads.
-struct Guessed {
-    about: [Carried; 2],
-    /// How far down each wheel may go with the roll, as its place of contact turns about its marker
-    /// [m].
-    slopes: [f64; 2],
-}
-
 impl Wheelset {
-    /// The input with the height and roll found for its loads, and whether none was.
+    /// The input with the height and roll found for its loads, and whether none was; sides that are
+    /// known to carry theirs with the forces of the last pose have these in `trial`.
     ///
     /// # Errors
     /// The input at fault, by its name.
-    pub(super) fn carry_loads(&mut self, input: &Input) -> Result<(Input, bool), ContactError> {
+    pub(super) fn carry_loads(
+        &mut self,
+        input: &Input,
+        trial: &mut Output,
+    ) -> Result<(Input, bool), ContactError> {
         let mut at = *input;
         // The given roll and height must not matter, not even in the last digit.
         at.wheelset.position[2] = -1.0;
-        let (found, is_missed) = self.carry_loads_about(&at)?;
+        let (found, is_missed) = self.carry_loads_about(&at, trial)?;
         if input.track == TrackTurn::default() {
             return Ok((found, is_missed));
         }
         // On a track that turns velocities go with the height, and friction with them bears some of
         // the load: the search is made again with the velocities of the height found.
-        self.carry_loads_about(&found)
+        self.carry_loads_about(&found, trial)
     }
 
     /// The same with velocities that belong to the height in `input`.
-    fn carry_loads_about(&mut self, input: &Input) -> Result<(Input, bool), ContactError> {
-        let mut trial = Output::default();
+    fn carry_loads_about(
+        &mut self,
+        input: &Input,
+        trial: &mut Output,
+    ) -> Result<(Input, bool), ContactError> {
         let mut at = *input;
         at.wheelset.roll = 0.0;
         let counts = self.elements.each_ref().map(Element::fallbacks);
         let between = self.markers[RIGHT] - self.markers[LEFT];
-        if let Some(found) = self.roll_by_stiffness(input, &mut trial)? {
+        if let Some(found) = self.roll_by_stiffness(input, trial)? {
             return Ok((found, false));
         }
         // Numbers that leave their range on the way to the markers are refused here, and by no roll
         // after it.
-        self.sides(&at, &mut trial, Element::evaluate)?;
+        self.sides(&at, trial, Element::evaluate)?;
         let mut missing = |roll: f64| {
             at.wheelset.roll = roll;
-            if self.sides(&at, &mut trial, Element::evaluate).is_err() {
+            if self.sides(&at, trial, Element::evaluate).is_err() {
                 return 0.0;
             }
             trial.sides[RIGHT].wheel_z - trial.sides[LEFT].wheel_z - between * at.wheelset.axle().z
@@ -105,8 +106,7 @@ impl Wheelset {
         at.wheelset.roll = 0.0;
         // What was expected by a search before this one is of another roll.
         self.elements.iter_mut().for_each(|element| element.expect(None));
-        let Some(guessed) = self.guess_loads(&mut at, trial)? else { return Ok(None) };
-        let Guessed { mut about, slopes } = guessed;
+        let Some(mut about) = self.guess_loads(&mut at, trial)? else { return Ok(None) };
         let (mut both, mut pose) = (None::<BothWheels>, Pose::New);
         for _ in 0..MOST_POSES {
             let Some(posed) = self.pose_both(&at, &mut about, pose, trial)? else {
@@ -115,8 +115,7 @@ impl Wheelset {
             if let Some(both) = &mut both {
                 both.take(&at, &posed);
             }
-            let both =
-                both.get_or_insert_with(|| BothWheels::at(&at, self.markers, slopes, &posed));
+            let both = both.get_or_insert_with(|| BothWheels::at(&at, self.markers, &posed));
             let Some(step) = both.next(&mut at, &mut about) else { return Ok(None) };
             if at.wheelset.roll.abs() >= MAX_ROLL || (pose == Pose::Near && step > LONGEST) {
                 return Ok(None);
@@ -125,8 +124,16 @@ impl Wheelset {
                 for k in [RIGHT, LEFT] {
                     let side = at.of_side(k, self.markers[k]);
                     about[k].z = side.wheel.position[2];
-                    self.elements[k].known_to_rest(&side, &about[k]);
-                    self.elements[k].expect(Some((about[k], Pose::Near)));
+                    let element = &mut self.elements[k];
+                    element.known_to_rest(&side, &about[k]);
+                    let further = both.further(k);
+                    let is_found =
+                        further.is_some_and(|part| element.go_on(part, &mut trial.sides[k]));
+                    element.expect(Some(if is_found {
+                        Expected::Found(about[k])
+                    } else {
+                        Expected::About(about[k], Pose::Near)
+                    }));
                 }
                 return Ok(Some(at));
             }
@@ -168,26 +175,23 @@ impl Wheelset {
         &mut self,
         at: &mut Input,
         trial: &mut Output,
-    ) -> Result<Option<Guessed>, ContactError> {
+    ) -> Result<Option<[Carried; 2]>, ContactError> {
         let mut guessed = [None; 2];
         let (mut heights, mut slopes) = ([0.0; 2], [0.0; 2]);
         for k in [RIGHT, LEFT] {
             let side = at.of_side(k, self.markers[k]);
             side.check().map_err(|e| on_side(e, SIDES[k]))?;
             let output = &mut trial.sides[k];
-            guessed[k] = self.elements[k].guess_load(&side, output);
-            let Some(found) = guessed[k] else { return Ok(None) };
+            let Some((found, down_with_roll)) = self.elements[k].guess_load(&side, output) else {
+                return Ok(None);
+            };
+            (guessed[k], slopes[k]) = (Some(found), down_with_roll);
             // In the frame of the rails, and in that of the track.
             let z = found.z;
             let of_track = at.wheelset.along_axle(self.markers[k]).position[2];
             let frame = at.rail_frame(k, self.markers[k]);
             heights[k] =
                 frame.map_or(z, |frame| frame.height(of_track, [side.wheel.position[2], z]));
-            // The place of contact turns about the marker, and no overlap is to come of it.
-            let patch = &output.patches[0];
-            let [_, across, down] = patch.position;
-            let [_, y, _] = side.wheel.position;
-            slopes[k] = -((down - z) * patch.contact_angle.tan() + across - y);
         }
         let [Some(right), Some(left)] = guessed else { return Ok(None) };
         let between = self.markers[RIGHT] - self.markers[LEFT];
@@ -197,7 +201,6 @@ impl Wheelset {
         let middles = [RIGHT, LEFT]
             .map(|k| heights[k] + slopes[k] * at.wheelset.roll - self.markers[k] * axle);
         at.wheelset.position[2] = 0.5 * (middles[RIGHT] + middles[LEFT]);
-        let about = [right, left];
-        Ok((at.wheelset.roll.abs() < MAX_ROLL).then_some(Guessed { about, slopes }))
+        Ok((at.wheelset.roll.abs() < MAX_ROLL).then_some([right, left]))
     }
 }

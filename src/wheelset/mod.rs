@@ -218,11 +218,12 @@ impl Wheelset {
     ) -> Result<(), ContactError> {
         input.check()?;
         let mut input = self.on_its_rails(input);
-        let mut is_missed = false;
+        let (mut is_missed, mut found) = (false, *output);
         if self.vertical_mode == VerticalMode::Load {
-            (input, is_missed) = self.carry_loads(&input)?;
+            (input, is_missed) = self.carry_loads(&input, &mut found)?;
         }
-        self.sides(&input, output, evaluate)?;
+        self.sides(&input, &mut found, evaluate)?;
+        *output = found;
         if is_missed {
             let right = &mut self.elements[RIGHT];
             right.set_fallbacks(right.fallbacks() + 1);
