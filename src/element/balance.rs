@@ -127,9 +127,9 @@ impl Balance {
         balance
     }
 
-    /// Depth of the load about [m].
-    pub fn depth(&self) -> f64 {
-        self.depth
+    /// The last pose.
+    pub fn last(&self) -> Placed {
+        self.last
     }
 
     /// The unknowns at a height over the rails, with a normal force and a deflection.

@@ -24,10 +24,10 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
-/// What may be left of the balances at the last pose but one, over loads and their depths: the step
-/// from it leaves less than a hundredth of that, [`MISSED`] of heights, and each side finds its own
-/// then.
-const NEARLY: f64 = 1e-6;
+/// What the step beyond the last pose may leave of the balances, over loads and their depths: a tenth
+/// of [`MISSED`] or so of heights, each side finds its own then. On a flange, whose normal turns fast
+/// with the roll, that is 1e-9 of the load.
+const LEFT_NEXT: f64 = 1e-9;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
@@ -120,7 +120,7 @@ impl Wheelset {
             if at.wheelset.roll.abs() >= MAX_ROLL || (pose == Pose::Near && step > LONGEST) {
                 return Ok(None);
             }
-            if both.left() <= NEARLY {
+            if both.left_next() <= LEFT_NEXT {
                 for k in [RIGHT, LEFT] {
                     let side = at.of_side(k, self.markers[k]);
                     about[k].z = side.wheel.position[2];
