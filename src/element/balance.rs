@@ -28,8 +28,8 @@ use crate::normal::{Descent, Pose, way_between};
 const MISSING: f64 = 1e-10;
 const MISPLACED: f64 = 5e-10;
 /// What may be left at the last pose but one, where an evaluation by itself follows: the step to it
-/// leaves a thousandth of that, [`MISPLACED`].
-const NEARLY: f64 = 5e-7;
+/// leaves a thousandth of that, less than [`MISSING`].
+const NEARLY: f64 = 1e-8;
 /// Most poses that are tried.
 pub(crate) const MOST_POSES: usize = 12;
 /// Longest step from one pose to the next over load and depth: farther off, poses have not told

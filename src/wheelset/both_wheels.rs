@@ -26,7 +26,7 @@ struct Wheel {
     balance: Balance,
     /// The pose before the last one.
     before: Option<Placed>,
-    /// Height of its marker at the last one [m].
+    /// Height of its marker at the last pose [m].
     marker: f64,
     /// The same less what went down with the roll on the way there [m].
     height: f64,

@@ -24,10 +24,9 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
-/// What the step beyond the last pose may leave of the balances, over loads and their depths: a tenth
-/// of [`MISSED`] or so of heights, each side finds its own then. On a flange, whose normal turns fast
-/// with the roll, that is 1e-9 of the load.
-const LEFT_NEXT: f64 = 1e-9;
+/// What the step beyond the last pose may leave of the balances, over loads and their depths: 1e-14 m
+/// of the heights, by which the roll fits both. Each side finds its own then.
+const LEFT_NEXT: f64 = 1e-10;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
