@@ -129,23 +129,51 @@ fn lobes_that_join_and_part_make_no_jumps() {
     }
 }
 
+/// A pose next to which forces jumped, y, z [mm], roll and yaw [mrad], and the way that they did on,
+/// by z and by yaw.
+type Jumped = (&'static str, [f64; 4], [f64; 2]);
+
 /// A contact of which rounding is all there is begins beside another one.
+const BEGINS: Jumped = (
+    "60E2",
+    [
+        758.147_822_965_098_3,
+        -460.154_241_810_385_8,
+        3.197_382_974_731_077_4,
+        -2.550_739_887_315_671_3,
+    ],
+    [0.0, 20.0],
+);
+/// Two intervals of overlap join.
+const JOIN: Jumped = (
+    "60E1",
+    [755.941_558_070_547_7, -460.853_873_670_857_7, -1.351_038_849_480_328, 6.735_189_805_125_504],
+    [0.0, 20.0],
+);
+/// A sample passes a jump of the wheel's curvature.
+const PASSES: Jumped = (
+    "60E1",
+    [757.452_317_019_165_4, -460.792_423_049_976_1, 1.729_263_101_576_549_8, 8.066_271_974_070_299],
+    [1.0, 0.0],
+);
+
 #[test]
-fn a_contact_that_begins_makes_no_jump() {
-    let mut parameters = Parameters::default();
-    parameters.rails[0].profile = "60E2".into();
-    parameters.tangential_model = TangentialModel::None;
-    let mut element = Element::new(&parameters, &Input::default(), &[]).unwrap();
-    let mut start = rolling(0.0, 20.0);
-    let wheel = &mut start.wheel;
-    wheel.position[1] = 0.758_147_822_965_098_3;
-    wheel.position[2] = -0.460_154_241_810_385_8;
-    (wheel.roll, wheel.yaw) = (3.197_382_974_731_077_4e-3, -2.550_739_887_315_671_3e-3);
-    let line = Line { start, y: 0.0, z: 0.0, roll: 0.0, yaw: 20.0, along: 0.0, pitch: 0.0 };
-    let middle = Line { start: line.at(-0.5 * STEP * STEPS as f64), ..line };
+fn nothing_jumps_where_lattices_change() {
     let [most, _] = tolerance::WALK_JUMPS;
-    let found = follow(&mut element, &middle, 1.0, most, &mut Vec::new());
-    assert!(found.jump <= most, "{:e} of {most:e}", found.jump);
+    for (rail, [y, z, roll, yaw], [by_z, by_yaw]) in [BEGINS, JOIN, PASSES] {
+        let mut parameters = Parameters::default();
+        parameters.rails[0].profile = rail.into();
+        parameters.tangential_model = TangentialModel::None;
+        let mut element = Element::new(&parameters, &Input::default(), &[]).unwrap();
+        let mut start = rolling(0.0, 20.0);
+        let wheel = &mut start.wheel;
+        (wheel.position[1], wheel.position[2]) = (1e-3 * y, 1e-3 * z);
+        (wheel.roll, wheel.yaw) = (1e-3 * roll, 1e-3 * yaw);
+        let line = Line { start, y: 0.0, z: by_z, roll: 0.0, yaw: by_yaw, along: 0.0, pitch: 0.0 };
+        let middle = Line { start: line.at(-0.5 * STEP * STEPS as f64), ..line };
+        let found = follow(&mut element, &middle, 1.0, most, &mut Vec::new());
+        assert!(found.jump <= most, "{rail} {y}: {:e} of {most:e}", found.jump);
+    }
 }
 
 #[test]
