@@ -25,7 +25,7 @@ const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
 /// What the step beyond the last pose may leave of the balances, over loads and their depths: 1e-14 m
-/// of the heights, by which the roll fits both. Each side finds its own then.
+/// of the heights, by which the roll fits both. A side whose forces are not known then finds its own.
 const LEFT_NEXT: f64 = 1e-10;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
