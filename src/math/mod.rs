@@ -9,6 +9,7 @@ pub mod elliptic;
 pub(crate) mod fixed_vec;
 pub(crate) mod linear_system;
 pub(crate) mod logarithm;
+pub(crate) mod nearest_whole;
 pub(crate) mod numbers;
 pub mod quadrature;
 pub(crate) mod real;

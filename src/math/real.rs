@@ -20,6 +20,9 @@ pub fn as_is<T: 'static, O: 'static>(x: &T) -> Option<&O> {
     (x as &dyn Any).downcast_ref()
 }
 
+/// Sum of squares above which both have all their digits, or count with none.
+const LEAST_SQUARE: f64 = 1.0 / (1_u128 << 120) as f64 / (1_u128 << 120) as f64;
+
 /// Coefficients of (y, z) in growing powers of the distance from the start of a piece of a curve.
 pub type Cubic = [[f64; 2]; 4];
 
@@ -259,7 +262,6 @@ impl Real for f64 {
         sin_cos() -> (Self, Self) = f64::sin_cos;
         asin() -> Self = f64::asin;
         atan2(x: Self) -> Self = f64::atan2;
-        hypotenuse(other: Self) -> Self = libm::hypot;
         abs() -> Self = f64::abs;
         signum() -> f64 = f64::signum;
         max(other: Self) -> Self = f64::max;
@@ -268,6 +270,17 @@ impl Real for f64 {
         at_most(most: f64) -> Self = f64::min;
         within(least: f64, most: f64) -> Self = f64::clamp;
         copysign(sign: f64) -> Self = f64::copysign;
+    }
+
+    #[inline]
+    fn hypotenuse(self, other: Self) -> Self {
+        let square = self * self + other * other;
+        // Elsewhere the square may have lost digits, or be beyond all numbers.
+        if square > LEAST_SQUARE && square < f64::INFINITY {
+            square.sqrt()
+        } else {
+            libm::hypot(self, other)
+        }
     }
 
     #[inline]

@@ -9,7 +9,7 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::{Along, VaryingRail};
-use crate::geometry::wheel::contact_line::ContactLine;
+use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
 use crate::math::real::Real;
 use crate::normal::least_energy::{LinePlace, OverlapLine};
 
@@ -141,16 +141,17 @@ impl OverlapLine for LocalLine<'_> {
     }
 }
 
-/// The strip at parameter `u` of the `line` and `y` of the `rail`, as if that had no end.
+/// The strip `at` a place of the contact line, of parameter `u`, and at `y` of the `rail`, as if that
+/// had no end.
 ///
 /// The rail is taken where the strip lies on it. Strips know their parameter of the line less well:
 /// its rate jumps where the curvature of a wheel does.
 pub(super) fn whole_strip<T: Real>(
-    line: &ContactLine<T>,
+    at: LinePoint<T>,
     rail: &RailOutline<T>,
     [u, y]: [T; 2],
 ) -> LinePlace<T> {
-    let (at, on) = (line.at(u), rail.at(y));
+    let on = rail.at(y);
     let slowness = T::from(1.0) / on.first[0].hypotenuse(on.first[1]);
     let tangent = on.first.map(|first| first * slowness);
     let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];

@@ -147,8 +147,8 @@ pub fn take_zone<T: Real>(
     let found = LocalLine::of(&value, rail.rail, search);
     let local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
     let taken = zone_in_frame(index, damping, models, |[u, y]| {
-        let LinePlace { x, tangent, overlap, .. } = local.on_rail(whole_strip(line, rail, [u, y]));
         let at = line.at(u);
+        let LinePlace { x, tangent, overlap, .. } = local.on_rail(whole_strip(at, rail, [u, y]));
         LocalPlace { point: at.point, tangent, overlap, ahead: x - at.x }
     });
     let deepest = deepest_within(search, of_last_zone(&models.strips));

@@ -142,8 +142,8 @@ fn take_zone(
 ) -> TakenZone {
     let (local, outline) = (LocalLine::of(line, rail, search), RailOutline::at_rest(rail));
     let place = |[u, y]: [f64; 2]| {
-        let strip = local.on_rail(whole_strip(line, &outline, [u, y]));
         let at = line.at(u);
+        let strip = local.on_rail(whole_strip(at, &outline, [u, y]));
         let ahead = strip.x - at.x + line.ahead_of_round(u);
         LocalPlace { point: at.point, tangent: strip.tangent, overlap: strip.overlap, ahead }
     };

@@ -6,6 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::curves::curve::{Curve, Knot};
+use crate::math::nearest_whole::nearest_whole;
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
@@ -270,15 +271,14 @@ impl Waviness {
         waves + table + flat
     }
 
-    /// A coordinate within the first period [m].
+    /// The coordinate that is as good as `c` and nearest to the origin [m].
     fn within_period(&self, c: f64) -> f64 {
-        self.period.map_or(c, |period| c - period * (c / period).floor())
+        self.period.map_or(c, |period| c - period * nearest_whole(c / period))
     }
 
     /// How far a coordinate is from the middle of a flat [m].
     fn beside_middle(&self, flat: &Flat, c: f64) -> f64 {
-        let away = c - flat.middle;
-        self.period.map_or(away, |period| away - period * (away / period).round())
+        self.within_period(c - flat.middle)
     }
 
     /// Value [m], slope [-] and curvature [1/m] at the coordinate `c`, as it moves [m].

@@ -22,6 +22,7 @@
 //! ```
 
 use super::lanes::{Four, Simd};
+use super::pairs::Pairs;
 use super::potential::Potentials;
 use crate::math::real::Real;
 
@@ -53,18 +54,21 @@ impl<T: Real> Growth<T> {
 
 /// The same for four pairs.
 pub(super) struct Growths<S: Simd> {
-    pub factor: Four<S>,
+    /// h_0² over h².
+    pub inverse: Four<S>,
     /// γ and dγ/dL.
     rate: Four<S>,
     bend: Four<S>,
 }
 
 impl<S: Simd> Growths<S> {
-    /// For (Δx/D)² and ω.
+    /// For `pairs` of which the sum of the squares of the half lengths and its reciprocal are these.
     #[inline(always)]
-    pub fn new(simd: S, displacement: Four<S>, lengths: Four<S>) -> Self {
+    pub fn new(simd: S, pairs: &Pairs, [sum, reciprocal]: [Four<S>; 2]) -> Self {
         let one = simd.splat(1.0);
-        let near = displacement * (displacement * NUMBERS[0] + NUMBERS[1]) / lengths;
+        let displacement = simd.four(&pairs.displacement);
+        let lengths = sum * simd.four(&pairs.half_inverse_distance);
+        let near = simd.four(&pairs.nearness) * reciprocal;
         let (square, root) = (lengths * NUMBERS[2], lengths.sqrt() * NUMBERS[3]);
         let above = one + near;
         let below = above + square + root;
@@ -72,13 +76,19 @@ impl<S: Simd> Growths<S> {
         let below_bend = square + root * 0.25 + near;
         let inverse = one / below;
         let share = above * inverse;
-        let factor = one.add_product(displacement, share);
         // Derivatives of the share by ln ω.
         let slope = inverse * (simd.splat(0.0) - near - share * below_rate);
         let bend = inverse * (near - share * below_bend - slope * below_rate * 2.0);
-        let per_factor = displacement / factor;
+        let inverse = one / one.add_product(displacement, share);
+        let per_factor = displacement * inverse;
         let rate = per_factor * slope;
-        Self { factor, rate, bend: (per_factor * bend).sub_product(rate, rate) }
+        Self { inverse, rate, bend: (per_factor * bend).sub_product(rate, rate) }
+    }
+
+    /// What φ is over the reciprocal of p + q, for (Δx/D)² and 1/(2 D²).
+    #[inline(always)]
+    pub fn nearness(displacement: Four<S>, half_inverse_distance: Four<S>) -> Four<S> {
+        displacement * (displacement * NUMBERS[0] + NUMBERS[1]) / half_inverse_distance
     }
 
     /// Derivatives with what h changes, from those at the same h; second ones where they are wanted.
@@ -86,11 +96,10 @@ impl<S: Simd> Growths<S> {
     pub fn complete<const SECOND: bool>(
         &self,
         simd: S,
-        p: Four<S>,
-        q: Four<S>,
+        [p, q]: [Four<S>; 2],
+        per_sum: Four<S>,
         k: &Potentials<S>,
     ) -> Potentials<S> {
-        let per_sum = simd.splat(1.0) / (p + q);
         let rate = self.rate * per_sum;
         let half = simd.splat(0.5);
         let zero = simd.splat(0.0);

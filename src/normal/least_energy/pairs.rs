@@ -16,7 +16,7 @@
 
 use std::array::from_fn;
 
-use super::displaced::Growth;
+use super::displaced::{Growth, Growths};
 use super::kernel::{COEFFICIENTS, FIRST_PIECE, Kernel, ROW_PIECES, ROWS, SOFTNESS, TABLE};
 use super::lanes::{Four, LANES, Lanes, Simd};
 use super::lattice::Lattice;
@@ -181,6 +181,8 @@ pub(super) struct Pairs {
     /// Square of the displacement over that of the distance, (Δx/D)² [-], and 1/(2 D²) [m^-2].
     pub displacement: Lanes,
     pub half_inverse_distance: Lanes,
+    /// What they grow by where they are short: φ (p + q) of `displaced` [m²].
+    pub nearness: Lanes,
     /// First coefficient of their rows of the table, less what the digits of the least w form.
     pub row: [u64; LANES],
 }
@@ -252,8 +254,11 @@ impl Hats {
                 let shift = simd.four(&hats.x) - one.x;
                 let inverse = simd.splat(1.0) / distance;
                 let displacement = shift * shift * inverse;
-                pairs.displacement = places.where_equal(0.0, simd.splat(0.0), displacement).lanes();
-                pairs.half_inverse_distance = (inverse * 0.5).lanes();
+                let displacement = places.where_equal(0.0, simd.splat(0.0), displacement);
+                let half_inverse = inverse * 0.5;
+                pairs.displacement = displacement.lanes();
+                pairs.half_inverse_distance = half_inverse.lanes();
+                pairs.nearness = Growths::nearness(displacement, half_inverse).lanes();
             }
             let inverse = simd.splat(1.0) / square;
             pairs.half_inverse_square = (inverse * 0.5).lanes();

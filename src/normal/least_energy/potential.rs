@@ -52,22 +52,21 @@ fn row(table: &Table, place: u64, from: usize) -> Lanes {
     [table[at], table[at + 1], table[at + 2], table[at + 3]]
 }
 
-/// 1/(2 h²), 1/h and what rounds the kink over t off, of four pairs of these sums of the squares, with
-/// the growth of h² by displacements where there are any.
+/// 1/(2 h²), 1/h and what rounds the kink over t off, of four pairs of these sums of the squares and
+/// their reciprocals, with the growth of h² by displacements where there are any.
 #[inline(always)]
 fn spacing<S: Simd, const SKEWED: bool>(
     simd: S,
     pairs: &Pairs,
-    sum: Four<S>,
+    sum: [Four<S>; 2],
 ) -> ([Four<S>; 3], Option<Growths<S>>) {
     let (g, h) = (simd.four(&pairs.half_inverse_square), simd.four(&pairs.inverse));
     let soft_rate = simd.four(&pairs.soft_rate);
     if !SKEWED {
         return ([g, h, soft_rate], None);
     }
-    let lengths = sum * simd.four(&pairs.half_inverse_distance);
-    let growth = Growths::new(simd, simd.four(&pairs.displacement), lengths);
-    let less = simd.splat(1.0) / growth.factor;
+    let growth = Growths::new(simd, pairs, sum);
+    let less = growth.inverse;
     ([g * less, h * less.sqrt(), soft_rate * less], Some(growth))
 }
 
@@ -81,10 +80,12 @@ pub(super) fn potentials<S: Simd, const SECOND: bool, const SKEWED: bool>(
     p: Four<S>,
     q: Four<S>,
 ) -> Potentials<S> {
-    let (spacing, growth) = spacing::<S, SKEWED>(simd, pairs, p + q);
-    let abreast = potentials_at::<S, SECOND>(simd, table, pairs, spacing, [p, q]);
+    let sum = p + q;
+    let sum = [sum, simd.splat(1.0) / sum];
+    let (spacing, growth) = spacing::<S, SKEWED>(simd, pairs, sum);
+    let abreast = potentials_at::<S, SECOND>(simd, table, pairs, spacing, [p, q], sum);
     match growth {
-        Some(growth) => growth.complete::<SECOND>(simd, p, q, &abreast),
+        Some(growth) => growth.complete::<SECOND>(simd, [p, q], sum[1], &abreast),
         None => abreast,
     }
 }
@@ -97,12 +98,11 @@ fn potentials_at<S: Simd, const SECOND: bool>(
     pairs: &Pairs,
     [g, h, soft_rate]: [Four<S>; 3],
     [p, q]: [Four<S>; 2],
+    [sum, reciprocal]: [Four<S>; 2],
 ) -> Potentials<S> {
-    let sum = p + q;
     let w = (sum * g).min(simd.splat(LAST_W));
     let [f, e] = coefficients(simd, table, pairs, w);
     let one = simd.splat(1.0);
-    let reciprocal = one / sum;
     let t = (p - q) * reciprocal;
     // σ less what it is at least, its derivative by the sum of the squares, and r = sqrt(t² + σ).
     let soft = one / simd.four(&pairs.soft_base).add_product(soft_rate, sum);
@@ -151,10 +151,11 @@ pub(super) fn potential<S: Simd, const SKEWED: bool>(
     q: Four<S>,
 ) -> Four<S> {
     let sum = p + q;
-    let ([g, h, soft_rate], _) = spacing::<S, SKEWED>(simd, pairs, sum);
+    let reciprocal = simd.splat(1.0) / sum;
+    let ([g, h, soft_rate], _) = spacing::<S, SKEWED>(simd, pairs, [sum, reciprocal]);
     let w = (sum * g).min(simd.splat(LAST_W));
     let [f, e] = coefficients(simd, table, pairs, w);
-    let t = (p - q) / sum;
+    let t = (p - q) * reciprocal;
     let soft = simd.four(&pairs.soft_base).add_product(soft_rate, sum);
     let root = (simd.splat(1.0) / soft + SOFTEST).add_product(t, t).sqrt();
     let of = |k: usize| f[k].add_product(root, e[k]);

@@ -64,6 +64,8 @@ pub(super) struct Zones<T = f64> {
     square_over_load: FixedVec<T>,
     /// Coordinates across and squares of half lengths of the zone under way, with its edges.
     outline: FixedVec<[T; 2]>,
+    /// Slopes of the curve through them.
+    slopes: FixedVec<T>,
 }
 
 impl<T: Real> Zones<T> {
@@ -73,6 +75,7 @@ impl<T: Real> Zones<T> {
             smooth: FixedVec::new(most),
             square_over_load: FixedVec::new(most),
             outline: FixedVec::new(most + 2),
+            slopes: FixedVec::new(most + 2),
         }
     }
 
@@ -212,7 +215,8 @@ impl<T: Real> Zones<T> {
             self.outline.push([node.y, height]);
         }
         self.outline.push([high, zero]);
-        let tops = (0..self.outline.len() - 1).map(|k| top(&self.outline, k));
+        self.put_slopes();
+        let tops = (0..self.outline.len() - 1).map(|k| top(&self.outline, k, self.slopes_at(k)));
         tops.fold(zero, Real::max)
     }
 
@@ -243,24 +247,27 @@ impl<T: Real> Zones<T> {
             return (sum * 1.5 / width).sqrt() * width * FRAC_PI_2;
         }
         // Without the outermost nodes, whose load the edges take up, and then with them.
-        let points = &mut self.outline;
-        points.clear();
-        points.push([low, zero]);
-        points.extend((begin + 1..end - 1).map(|i| [nodes[i].y, square(i)]));
-        points.push([high, zero]);
-        let outermost = [begin, end - 1].map(|i| nodes[i].y);
-        let last = points.len() - 1;
-        let inside = [
-            square(begin).max(curve(points, 0, slopes(points, 0), outermost[0])),
-            square(end - 1).max(curve(points, last - 1, slopes(points, last - 1), outermost[1])),
-        ];
-        points.insert(1, [outermost[0], inside[0]]);
-        points.insert(last + 1, [outermost[1], inside[1]]);
+        let outermost = [begin, end - 1].map(|i| [nodes[i].y, square(i)]);
+        self.outline.clear();
+        self.outline.push([low, zero]);
+        for (i, node) in nodes.iter().enumerate().take(end - 1).skip(begin + 1) {
+            let square = self.square_over_load[i] * self.smooth[i];
+            self.outline.push([node.y, square]);
+        }
+        self.outline.push([high, zero]);
+        self.put_slopes();
+        let last = self.outline.len() - 1;
+        let [first, second] = [(0, outermost[0]), (last - 1, outermost[1])]
+            .map(|(k, [y, own])| [y, own.max(curve(&self.outline, k, self.slopes_at(k), y))]);
+        self.outline.insert(1, first);
+        self.outline.insert(last + 1, second);
+        self.put_slopes();
+        let points = &self.outline;
         let mut area = zero;
         let panels = points.len() - 1;
         for k in 0..panels {
             let h = points[k + 1][0] - points[k][0];
-            let (slopes, mut sum) = (slopes(points, k), zero);
+            let (slopes, mut sum) = (self.slopes_at(k), zero);
             for [at, weight] in GAUSS {
                 // A root at the edges becomes a line.
                 let (t, weight) = if k == 0 {
@@ -277,6 +284,35 @@ impl<T: Real> Zones<T> {
         }
         area
     }
+
+    /// Finds the slopes of the curve through the outline, at least three points: at each that of the
+    /// parabola through it and its neighbours; at the ends such that the parabola goes on.
+    fn put_slopes(&mut self) {
+        let Self { outline, slopes, .. } = self;
+        let step = |k: usize| {
+            let [[from, a], [to, b]] = [outline[k], outline[k + 1]];
+            [to - from, (b - a) / (to - from)]
+        };
+        let mut before = step(0);
+        let first = before[1];
+        slopes.clear();
+        slopes.push(first);
+        for k in 1..outline.len() - 1 {
+            let behind = step(k);
+            let weighted = before[1] * behind[0] + behind[1] * before[0];
+            slopes.push(weighted / (before[0] + behind[0]));
+            before = behind;
+        }
+        slopes[0] = (first * 2.0 - slopes[1]).max(first * 0.5);
+        let last = before[1];
+        let own = (last * 2.0 - slopes[slopes.len() - 1]).min(last * 0.5);
+        slopes.push(own);
+    }
+
+    /// Slopes of the curve at points `k` and `k` + 1 of the outline.
+    fn slopes_at(&self, k: usize) -> [T; 2] {
+        [self.slopes[k], self.slopes[k + 1]]
+    }
 }
 
 /// What χ of a strip's own is more than the field, by the curvature of the displacement along it
@@ -286,27 +322,10 @@ fn own_shape<T: Real>(curvature: T) -> T {
     -step / (step * step + 1.0).sqrt()
 }
 
-/// Slope of the curve at point `k`: that of the parabola through it and its neighbours; at the ends
-/// such that the parabola goes on.
-fn slope<T: Real>(points: &[[T; 2]], k: usize) -> T {
-    let secant = |k: usize| (points[k + 1][1] - points[k][1]) / (points[k + 1][0] - points[k][0]);
-    let last = points.len() - 1;
-    if k == 0 {
-        let first = secant(0);
-        return (first * 2.0 - slope(points, 1)).max(first * 0.5);
-    }
-    if k == last {
-        let final_secant = secant(last - 1);
-        return (final_secant * 2.0 - slope(points, last - 1)).min(final_secant * 0.5);
-    }
-    let [before, behind] = [k - 1, k].map(|k| points[k + 1][0] - points[k][0]);
-    (secant(k - 1) * behind + secant(k) * before) / (before + behind)
-}
-
-/// Greatest value of the curve from point `k` on to before the next one.
-fn top<T: Real>(points: &[[T; 2]], k: usize) -> T {
+/// Greatest value of the curve from point `k` on to before the next one, where it has these slopes at
+/// both.
+fn top<T: Real>(points: &[[T; 2]], k: usize, slopes: [T; 2]) -> T {
     let h = points[k + 1][0] - points[k][0];
-    let slopes = slopes(points, k);
     let [rise, fall] = slopes.map(|slope| slope * h);
     if rise <= 0.0 || fall >= 0.0 {
         return points[k][1];
@@ -315,11 +334,6 @@ fn top<T: Real>(points: &[[T; 2]], k: usize) -> T {
     let (square, cube) = (step * 3.0 - rise * 2.0 - fall, rise + fall - step * 2.0);
     let t = rise / ((square * square - cube * rise * 3.0).sqrt() - square);
     curve(points, k, slopes, points[k][0] + h * t)
-}
-
-/// Slopes of the curve at points `k` and `k` + 1.
-fn slopes<T: Real>(points: &[[T; 2]], k: usize) -> [T; 2] {
-    [k, k + 1].map(|k| slope(points, k))
 }
 
 /// Value of the curve at `x` between points `k` and `k` + 1, where it has these slopes.

@@ -26,6 +26,8 @@ const NEAR: usize = 1;
 #[derive(Clone, Debug)]
 pub struct Solver<T = f64> {
     states: FixedVec<State<T>>,
+    /// What the reach of each strip is found from.
+    neighbours: FixedVec<Neighbours<T>>,
     /// Pairs of the first strips with all above them, row by row.
     pairs: Vec<Pair<T>>,
     /// The zones of which the strips are.
@@ -37,7 +39,8 @@ impl<T: Real> Solver<T> {
     pub fn new(strips: usize) -> Self {
         let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
         let pairs = vec![Pair::default(); pairs];
-        Self { states: FixedVec::new(strips), pairs, zones: Zones::new() }
+        let (states, neighbours) = (FixedVec::new(strips), FixedVec::new(strips.div_ceil(LANES)));
+        Self { states, neighbours, pairs, zones: Zones::new() }
     }
 
     /// Strips that there is room for.
@@ -74,13 +77,12 @@ impl<T: Real> Solver<T> {
     #[inline(always)]
     fn begin<const F: bool>(&mut self, ratio: &Ratio<T>, rounds: usize) {
         let influence = Influence::shared();
-        for i in 0..self.states.len() {
-            let Strip { half_length, width, .. } = self.states[i].strip;
-            let reach = reach(&self.states, i);
-            let state = &mut self.states[i];
-            state.own = influence.own::<F, T>(half_length, width, reach, ratio);
-            state.growth = state.growth();
-            (state.gradients, state.given) = ([[T::from(0.0); 4]; 2], [[T::from(0.0); 4]; 2]);
+        self.neighbours.clear();
+        self.neighbours.extend(self.states.chunks(LANES).map(Neighbours::of));
+        for state in self.states.iter_mut() {
+            let Strip { half_length, width, .. } = state.strip;
+            let reach = reach(&state.strip, &self.neighbours);
+            state.begin(influence.own::<F, T>(half_length, width, reach, ratio));
         }
         let mut room = &mut self.pairs[..];
         for (i, below) in self.states.iter().enumerate() {
@@ -153,7 +155,7 @@ impl<T: Real> Solver<T> {
                         lanes[lane] = growth;
                     }
                 }
-                marched.bound[lane] = state.strip.limit / (state.strip.half_length * 2.0);
+                marched.bound[lane] = state.bound;
             }
             let sums = march::<F, T>(&marched, |cell, tractions, slip| {
                 each(LANES * block, cell, tractions, slip);
@@ -165,8 +167,30 @@ impl<T: Real> Solver<T> {
     }
 }
 
-/// Distances to both sides over which a strip of the tractions of strip `i` would be felt by it as the
-/// others are: the share of a strip is that of its limit in the own one, at most 1, and it is felt by
+/// Some strips of which others feel something; where there are less, none of a limit.
+#[derive(Clone, Copy, Debug, Default)]
+struct Neighbours<T> {
+    y: [T; LANES],
+    limit: [T; LANES],
+    width: [T; LANES],
+}
+
+impl<T: Real> Neighbours<T> {
+    #[inline(always)]
+    fn of(states: &[State<T>]) -> Self {
+        let mut own = Self::default();
+        for (lane, State { strip, .. }) in states.iter().enumerate() {
+            own.y[lane] = strip.y;
+            own.limit[lane] = strip.limit;
+            own.width[lane] = strip.width;
+        }
+        own
+    }
+}
+
+/// Distances to both sides over which a strip of the tractions of `own` would be felt by it as the
+/// `others` are: the share of a strip is that of its limit in the own one, at most 1, and it is felt
+/// by
 ///
 /// ```text
 /// ∫ a/(a + |y - y_i|)² dy
@@ -175,27 +199,31 @@ impl<T: Real> Solver<T> {
 /// over its width, a the own half length. It only has to be close: what is felt exactly comes in from
 /// round to round. Zones beside each other are felt as much as parts of one.
 #[inline(always)]
-fn reach<T: Real>(states: &[State<T>], i: usize) -> [T; 2] {
-    let own = &states[i].strip;
-    [reach_over(own, &states[..i]), reach_over(own, &states[i + 1..])]
-}
-
-#[inline(always)]
-fn reach_over<T: Real>(own: &Strip<T>, others: &[State<T>]) -> T {
+fn reach<T: Real>(own: &Strip<T>, others: &[Neighbours<T>]) -> [T; 2] {
+    let zero = T::from(0.0);
     let a = own.half_length;
     let per_limit = a / own.limit;
-    let mut felt = own.width / (own.width + a * 2.0);
-    for State { strip, .. } in others {
-        let distance = (strip.y - own.y).abs();
-        // Stretches of one strip are ahead of each other.
-        if distance > 0.0 {
-            let share = (strip.limit * per_limit).min(a) * strip.width;
-            let (middle, half) = (distance + a, strip.width * 0.5);
-            felt += share / ((middle - half).max(a) * (middle + half));
+    let mut felt = [[zero; LANES]; 2];
+    for Neighbours { y, limit, width } in others {
+        for lane in 0..LANES {
+            let (away, half) = (y[lane] - own.y, width[lane] * 0.5);
+            let share = (limit[lane] * per_limit).min(a) * width[lane];
+            let middle = away.abs() + a;
+            let by = share / ((middle - half).max(a) * (middle + half));
+            // Itself, and stretches of one strip, which are ahead of each other, are on no side.
+            felt[0][lane] += if away < 0.0 { by } else { zero };
+            felt[1][lane] += if away > 0.0 { by } else { zero };
         }
     }
-    let felt = felt.at_most(WIDEST / (WIDEST + 1.0));
-    a * felt / (-felt + 1.0)
+    let itself = own.width / (own.width + a * 2.0);
+    felt.map(|lanes| {
+        let mut felt = itself;
+        for lane in lanes {
+            felt += lane;
+        }
+        let felt = felt.at_most(WIDEST / (WIDEST + 1.0));
+        a * felt / (-felt + 1.0)
+    })
 }
 
 /// What two strips do to each other, with `between` strips in between; stretches of one strip, which

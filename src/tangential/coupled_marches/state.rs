@@ -70,6 +70,10 @@ pub(super) struct State<T> {
     pub own: Own<T>,
     /// Along the track and across.
     pub growth: [Growth<T>; 2],
+    /// Mean bound of its tractions [Pa].
+    pub bound: T,
+    /// What sums of tractions times t^k over the cells are multiplied by, k = 0, 1, 2.
+    weights: [T; 3],
     pub moments: [Moments<T>; 2],
     pub gradients: [Four<T>; 2],
     /// What does not come from marches.
@@ -162,6 +166,8 @@ impl<T: Real> State<T> {
             strip,
             own: Own::default(),
             growth: [Growth::default(); 2],
+            bound: T::from(0.0),
+            weights: [T::from(0.0); 3],
             moments: [Moments::none(); 2],
             gradients: [[T::from(0.0); 4]; 2],
             given: [[T::from(0.0); 4]; 2],
@@ -169,9 +175,21 @@ impl<T: Real> State<T> {
         }
     }
 
+    /// Lays out what marches through a strip of this `own` need; nothing comes from others yet.
+    #[inline(always)]
+    pub fn begin(&mut self, own: Own<T>) {
+        let Strip { half_length: a, width, limit, .. } = self.strip;
+        let zeroth = a * (2.0 / CELLS as f64) * width;
+        let first = zeroth * a;
+        self.own = own;
+        self.growth = self.growth();
+        (self.bound, self.weights) = (limit / (a * 2.0), [zeroth, first, first * a]);
+        (self.gradients, self.given) = ([[T::from(0.0); 4]; 2], [[T::from(0.0); 4]; 2]);
+    }
+
     /// Growth of the tractions along the track and across.
     #[inline(always)]
-    pub fn growth(&self) -> [Growth<T>; 2] {
+    fn growth(&self) -> [Growth<T>; 2] {
         let &Strip { half_length: a, creepage, shear_modulus, .. } = &self.strip;
         let rigid = [[creepage.longitudinal, T::from(0.0)], [creepage.lateral, creepage.spin * a]];
         let step = a * (2.0 / CELLS as f64);
@@ -211,15 +229,13 @@ impl<T: Real> State<T> {
     /// Takes the moments of the tractions after a march.
     #[inline(always)]
     pub fn take_sums(&mut self, sums: &Sums<T>, lane: usize) {
-        let a = self.strip.half_length;
-        let length = a * (2.0 / CELLS as f64) * self.strip.width;
         for component in 0..2 {
-            let [zeroth, first, second] = sums.moments[component];
-            let zeroth = zeroth[lane] * length;
-            let first = first[lane] * length * a;
-            let second = second[lane] * length * a * a;
-            self.moments[component] = Moments::of([zeroth, first, second]);
-            self.resultant.moments[component] = [zeroth, first];
+            let mut moments = [T::from(0.0); 3];
+            for (k, moment) in moments.iter_mut().enumerate() {
+                *moment = sums.moments[component][k][lane] * self.weights[k];
+            }
+            self.moments[component] = Moments::of(moments);
+            self.resultant.moments[component] = [moments[0], moments[1]];
         }
         self.resultant.slip_share = sums.slipping[lane] / CELLS as f64;
     }
