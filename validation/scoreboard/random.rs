@@ -107,16 +107,16 @@ pub fn random_pose(seed: u64) -> Input {
 
 /// N, greatest pressure and area, and the sum of the creep forces.
 fn whole(output: &Output) -> ([f64; 3], [f64; 3]) {
-    let patches = &output.patches[..output.patch_count as usize];
+    let patches = || output.patches();
     let mut creep = [0.0; 3];
-    for patch in patches {
+    for patch in patches() {
         let (sine, cosine) = patch.contact_angle.sin_cos();
         let [x, y] = patch.creep_force;
         creep = [creep[0] + x, creep[1] + y * cosine, creep[2] + y * sine];
     }
-    let load: f64 = patches.iter().map(|p| p.normal_force).sum();
-    let pressure = patches.iter().map(|p| p.max_pressure).fold(0.0, f64::max);
-    ([load, pressure, patches.iter().map(|p| p.area).sum()], creep)
+    let load: f64 = patches().map(|p| p.normal_force).sum();
+    let pressure = patches().map(|p| p.max_pressure).fold(0.0, f64::max);
+    ([load, pressure, patches().map(|p| p.area).sum()], creep)
 }
 
 /// The pose at the height at which the default models carry its load; nothing where they do
@@ -183,10 +183,10 @@ const MAIN: f64 = 0.1;
 
 /// The patches of an output with a tenth of the load at least, from field to gauge side.
 fn main_patches(output: &Output) -> Vec<&Patch> {
-    let patches = &output.patches[..output.patch_count as usize];
-    let load: f64 = patches.iter().map(|patch| patch.normal_force).sum();
+    let patches = || output.patches();
+    let load: f64 = patches().map(|patch| patch.normal_force).sum();
     let mut main: Vec<&Patch> =
-        patches.iter().filter(|patch| patch.normal_force >= MAIN * load).collect();
+        patches().filter(|patch| patch.normal_force >= MAIN * load).collect();
     main.sort_by(|a, b| a.wheel_y.total_cmp(&b.wheel_y));
     main
 }

@@ -22,6 +22,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::math::real::Real;
+use crate::normal::least_energy::LinePlace;
 
 /// Least length of strips, over that of whole ones: shorter ones have next to no load, and their
 /// radius stays a length.
@@ -38,6 +39,13 @@ pub(in crate::element) struct CutStrip<T> {
     pub less: T,
     /// Share of the radius of its section [-].
     pub radius_share: T,
+}
+
+impl<T: Real> CutStrip<T> {
+    /// What it leaves of the strip at `place`.
+    pub fn of(&self, place: LinePlace<T>) -> LinePlace<T> {
+        LinePlace { overlap: place.overlap - self.less, x: place.x + self.ahead, ..place }
+    }
 }
 
 /// What is left of a strip of a contact of a `depth` [m] with a `slope` of the gap [-] where the

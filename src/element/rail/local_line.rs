@@ -84,8 +84,7 @@ impl<'a> LocalLine<'a> {
 
     /// The strip at `place` as far as the rail goes.
     pub fn on_rail(&self, place: LinePlace) -> LinePlace {
-        let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
-        LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
+        self.cut(&place).map_or(place, |cut| cut.of(place))
     }
 }
 

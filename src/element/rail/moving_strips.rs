@@ -68,12 +68,7 @@ impl<T: Real> MovingLocal<'_, T> {
 
     /// The strip at `place` as far as the rail goes.
     fn on_rail(&self, place: LinePlace<T>) -> LinePlace<T> {
-        match self.cut(&place) {
-            None => place,
-            Some(CutStrip { ahead, less, .. }) => {
-                LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
-            }
-        }
+        self.cut(&place).map_or(place, |cut| cut.of(place))
     }
 
     /// Radius of the section of wheel and rail together at a `place`, waves of both bridged [m].

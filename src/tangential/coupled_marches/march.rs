@@ -64,12 +64,15 @@ pub(super) const ALONG: [Cell; CELLS] = {
     cells
 };
 
-/// Marches through some strips; `each` gets the tractions of a cell, and whether they are bounded.
+/// Marches through some strips, whose sums go into `found`; `each` gets the tractions of a cell, and
+/// whether they are bounded.
+// Sums that went out as a result would be taken apart, and lane by lane put into other vectors.
 #[inline(always)]
 pub(super) fn march<const F: bool, T: Real>(
     strips: &Marched<T>,
+    found: &mut Sums<T>,
     mut each: impl FnMut(usize, &[Lanes<T>; 2], &Lanes<bool>),
-) -> Sums<T> {
+) {
     let zero = T::from(0.0);
     let mut sums = Sums::<T>::default();
     let [mut fx, mut fy] = [[zero; LANES]; 2];
@@ -97,18 +100,22 @@ pub(super) fn march<const F: bool, T: Real>(
             fx[lane] = trial_x * scale;
             fy[lane] = trial_y * scale;
             sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
-            sums.moments[0][0][lane] += fx[lane];
-            sums.moments[1][0][lane] += fy[lane];
-            let sum = &mut sums.moments[0];
-            sum[1][lane] = sum[1][lane].add_product::<F>(fx[lane], T::from(t));
-            sum[2][lane] = sum[2][lane].add_product::<F>(fx[lane], T::from(square));
-            let sum = &mut sums.moments[1];
-            sum[1][lane] = sum[1][lane].add_product::<F>(fy[lane], T::from(t));
-            sum[2][lane] = sum[2][lane].add_product::<F>(fy[lane], T::from(square));
+        }
+        // Loop by loop, so that each is one of vectors.
+        for (sums, f) in sums.moments.iter_mut().zip([&fx, &fy]) {
+            for lane in 0..LANES {
+                sums[0][lane] += f[lane];
+            }
+            for lane in 0..LANES {
+                sums[1][lane] = sums[1][lane].add_product::<F>(f[lane], T::from(t));
+            }
+            for lane in 0..LANES {
+                sums[2][lane] = sums[2][lane].add_product::<F>(f[lane], T::from(square));
+            }
         }
         each(cell, &[fx, fy], &slips);
     }
-    sums
+    *found = sums;
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 use pulp::x86::V3;
 
 use super::influence::{Influence, Pair, Ratio, WIDEST};
-use super::march::{ALONG, CELLS, LANES, Marched, march};
+use super::march::{ALONG, CELLS, LANES, Marched, Sums, march};
 use super::parts::{ZoneParts, Zones};
 use super::state::{Resultant, State, Strip, receive};
 use crate::math::fixed_vec::FixedVec;
@@ -28,6 +28,8 @@ pub struct Solver<T = f64> {
     states: FixedVec<State<T>>,
     /// What the reach of each strip is found from.
     neighbours: FixedVec<Neighbours<T>>,
+    /// Sums of the strips that were marched through last.
+    sums: Sums<T>,
     /// Pairs of the first strips with all above them, row by row.
     pairs: Vec<Pair<T>>,
     /// The zones of which the strips are.
@@ -40,7 +42,7 @@ impl<T: Real> Solver<T> {
         let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
         let pairs = vec![Pair::default(); pairs];
         let (states, neighbours) = (FixedVec::new(strips), FixedVec::new(strips.div_ceil(LANES)));
-        Self { states, neighbours, pairs, zones: Zones::new() }
+        Self { states, neighbours, sums: Sums::default(), pairs, zones: Zones::new() }
     }
 
     /// Strips that there is room for.
@@ -78,7 +80,9 @@ impl<T: Real> Solver<T> {
     fn begin<const F: bool>(&mut self, ratio: &Ratio<T>, rounds: usize) {
         let influence = Influence::shared();
         self.neighbours.clear();
-        self.neighbours.extend(self.states.chunks(LANES).map(Neighbours::of));
+        for states in self.states.chunks(LANES) {
+            self.neighbours.push(Neighbours::of(states));
+        }
         for state in self.states.iter_mut() {
             let Strip { half_length, width, .. } = state.strip;
             let reach = reach(&state.strip, &self.neighbours);
@@ -146,7 +150,8 @@ impl<T: Real> Solver<T> {
         &mut self,
         mut each: impl FnMut(usize, usize, &[[T; LANES]; 2], &[bool; LANES]),
     ) {
-        for (block, states) in self.states.chunks_mut(LANES).enumerate() {
+        let Self { states, sums, .. } = self;
+        for (block, states) in states.chunks_mut(LANES).enumerate() {
             let mut marched = Marched::default();
             for (lane, state) in states.iter().enumerate() {
                 for component in 0..2 {
@@ -157,11 +162,11 @@ impl<T: Real> Solver<T> {
                 }
                 marched.bound[lane] = state.bound;
             }
-            let sums = march::<F, T>(&marched, |cell, tractions, slip| {
+            march::<F, T>(&marched, sums, |cell, tractions, slip| {
                 each(LANES * block, cell, tractions, slip);
             });
             for (lane, state) in states.iter_mut().enumerate() {
-                state.take_sums(&sums, lane);
+                state.take_sums(sums, lane);
             }
         }
     }
@@ -215,15 +220,15 @@ fn reach<T: Real>(own: &Strip<T>, others: &[Neighbours<T>]) -> [T; 2] {
             felt[1][lane] += if away > 0.0 { by } else { zero };
         }
     }
-    let itself = own.width / (own.width + a * 2.0);
-    felt.map(|lanes| {
-        let mut felt = itself;
-        for lane in lanes {
-            felt += lane;
+    let mut reach = [own.width / (own.width + a * 2.0); 2];
+    for (reach, lanes) in reach.iter_mut().zip(felt) {
+        for felt in lanes {
+            *reach += felt;
         }
-        let felt = felt.at_most(WIDEST / (WIDEST + 1.0));
-        a * felt / (-felt + 1.0)
-    })
+        let felt = reach.at_most(WIDEST / (WIDEST + 1.0));
+        *reach = a * felt / (-felt + 1.0);
+    }
+    reach
 }
 
 /// What two strips do to each other, with `between` strips in between; stretches of one strip, which
