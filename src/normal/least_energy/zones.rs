@@ -179,6 +179,11 @@ impl<T: Real> Zones<T> {
         sum / all
     }
 
+    /// Square of the half length of node `i` [m²].
+    fn length_square(&self, i: usize) -> T {
+        self.square_over_load[i] * self.smooth[i]
+    }
+
     /// Square of the greatest pressure of node `i` over E*.
     fn pressure_square(&self, i: usize) -> T {
         self.smooth[i] / self.square_over_load[i] * (4.0 / (PI * PI))
@@ -187,8 +192,7 @@ impl<T: Real> Zones<T> {
     /// Length of the longest strip of the nodes from `begin` to `end`: the top of a smooth curve
     /// through the squares of half lengths, which is a parabola on ellipses.
     fn length(&mut self, nodes: &[Node<T>], begin: usize, end: usize, edges: [T; 2]) -> T {
-        let square = |own: &Self, i: usize| own.square_over_load[i] * own.smooth[i];
-        self.top_of(nodes, begin, end, edges, square).sqrt() * 2.0
+        self.top_of(nodes, begin, end, edges, Self::length_square).sqrt() * 2.0
     }
 
     /// Greatest pressure over the contact modulus of the nodes from `begin` to `end`: the top of a
@@ -240,18 +244,17 @@ impl<T: Real> Zones<T> {
     fn area(&mut self, nodes: &[Node<T>], begin: usize, end: usize, [low, high]: [T; 2]) -> T {
         let width = high - low;
         let zero = T::from(0.0);
-        let square = |i: usize| self.square_over_load[i] * self.smooth[i];
         if end - begin < 3 {
             // Half an ellipse of the same load.
-            let sum: T = (begin..end).map(|i| square(i) * nodes[i].width).sum();
+            let sum: T = (begin..end).map(|i| self.length_square(i) * nodes[i].width).sum();
             return (sum * 1.5 / width).sqrt() * width * FRAC_PI_2;
         }
         // Without the outermost nodes, whose load the edges take up, and then with them.
-        let outermost = [begin, end - 1].map(|i| [nodes[i].y, square(i)]);
+        let outermost = [begin, end - 1].map(|i| [nodes[i].y, self.length_square(i)]);
         self.outline.clear();
         self.outline.push([low, zero]);
         for (i, node) in nodes.iter().enumerate().take(end - 1).skip(begin + 1) {
-            let square = self.square_over_load[i] * self.smooth[i];
+            let square = self.length_square(i);
             self.outline.push([node.y, square]);
         }
         self.outline.push([high, zero]);

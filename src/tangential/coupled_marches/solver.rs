@@ -29,7 +29,7 @@ pub struct Solver<T = f64> {
     /// What the reach of each strip is found from.
     neighbours: FixedVec<Neighbours<T>>,
     /// Sums of the strips that were marched through last.
-    sums: Sums<T>,
+    sums: Box<Sums<T>>,
     /// Pairs of the first strips with all above them, row by row.
     pairs: Vec<Pair<T>>,
     /// The zones of which the strips are.
@@ -42,7 +42,7 @@ impl<T: Real> Solver<T> {
         let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
         let pairs = vec![Pair::default(); pairs];
         let (states, neighbours) = (FixedVec::new(strips), FixedVec::new(strips.div_ceil(LANES)));
-        Self { states, neighbours, sums: Sums::default(), pairs, zones: Zones::new() }
+        Self { states, neighbours, sums: Box::default(), pairs, zones: Zones::new() }
     }
 
     /// Strips that there is room for.
