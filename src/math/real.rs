@@ -20,8 +20,8 @@ pub fn as_is<T: 'static, O: 'static>(x: &T) -> Option<&O> {
     (x as &dyn Any).downcast_ref()
 }
 
-/// Sum of squares above which both have all their digits, or count with none.
-const LEAST_SQUARE: f64 = 1.0 / (1_u128 << 120) as f64 / (1_u128 << 120) as f64;
+/// Sum of two squares above which what a square loses near zero is less than its rounding.
+const LEAST_SQUARE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
 
 /// Coefficients of (y, z) in growing powers of the distance from the start of a piece of a curve.
 pub type Cubic = [[f64; 2]; 4];
@@ -275,7 +275,7 @@ impl Real for f64 {
     #[inline]
     fn hypotenuse(self, other: Self) -> Self {
         let square = self * self + other * other;
-        // Elsewhere the square may have lost digits, or be beyond all numbers.
+        // The one of libm finds it elsewhere too, at a greater price.
         if square > LEAST_SQUARE && square < f64::INFINITY {
             square.sqrt()
         } else {
@@ -286,5 +286,24 @@ impl Real for f64 {
     #[inline]
     fn three_halves(self) -> Self {
         self * self.sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Real;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn a_hypotenuse_is_found_from_the_least_numbers_to_the_greatest() {
+        for exponent in [-320, -170, -154, -139, -138, -100, 0, 100, 153, 154, 300] {
+            let scale = format!("1e{exponent}").parse::<f64>().expect("a number");
+            for [a, b] in [[3.0, 4.0], [-1.0, 1e-9], [0.0, 1.0], [1.0, 1.0]] {
+                let found = (a * scale).hypotenuse(b * scale);
+                assert_relative_eq!(found, (a * scale).hypot(b * scale), max_relative = 1e-15);
+            }
+        }
+        assert_eq!(0.0.hypotenuse(0.0).to_bits(), 0);
+        assert!(f64::NAN.hypotenuse(1.0).is_nan());
     }
 }

@@ -129,12 +129,12 @@ fn lobes_that_join_and_part_make_no_jumps() {
     }
 }
 
-/// A pose next to which forces jumped, y, z [mm], roll and yaw [mrad], and the way that they did on,
-/// by z and by yaw.
-type Jumped = (&'static str, [f64; 4], [f64; 2]);
+/// A rail, a pose y, z [mm], roll and yaw [mrad] at which the lattice changes, and the direction in
+/// which it does, by z and by yaw.
+type Changing = (&'static str, [f64; 4], [f64; 2]);
 
 /// A contact of which rounding is all there is begins beside another one.
-const BEGINS: Jumped = (
+const BEGINS: Changing = (
     "60E2",
     [
         758.147_822_965_098_3,
@@ -145,13 +145,13 @@ const BEGINS: Jumped = (
     [0.0, 20.0],
 );
 /// Two intervals of overlap join.
-const JOIN: Jumped = (
+const JOIN: Changing = (
     "60E1",
     [755.941_558_070_547_7, -460.853_873_670_857_7, -1.351_038_849_480_328, 6.735_189_805_125_504],
     [0.0, 20.0],
 );
 /// A sample passes a jump of the wheel's curvature.
-const PASSES: Jumped = (
+const PASSES: Changing = (
     "60E1",
     [757.452_317_019_165_4, -460.792_423_049_976_1, 1.729_263_101_576_549_8, 8.066_271_974_070_299],
     [1.0, 0.0],

@@ -109,9 +109,8 @@ fn steel(setting: &Setting) -> Parameters {
 
 /// Greatest pressure, lateral centre of the normal forces, and these with their places.
 fn loads(output: &Output) -> (f64, f64, Vec<[f64; 2]>) {
-    let patches = || output.patches();
-    let pressure = patches().map(|p| p.max_pressure).fold(0.0, f64::max);
-    let loads: Vec<[f64; 2]> = patches().map(|p| [p.normal_force, p.position[1]]).collect();
+    let pressure = output.patches().map(|p| p.max_pressure).fold(0.0, f64::max);
+    let loads: Vec<[f64; 2]> = output.patches().map(|p| [p.normal_force, p.position[1]]).collect();
     (pressure, centre(&loads), loads)
 }
 
@@ -123,8 +122,7 @@ fn centre(loads: &[[f64; 2]]) -> f64 {
 /// What the sum of the creep forces on the wheel and of those `on_rail`, each with the angle of its
 /// plane, is off balance [N].
 fn missed_creep(output: &Output, on_rail: impl IntoIterator<Item = ([f64; 2], f64)>) -> f64 {
-    let patches = || output.patches();
-    let own = patches().map(|p| (p.creep_force, p.contact_angle));
+    let own = output.patches().map(|p| (p.creep_force, p.contact_angle));
     let mut missed = [0.0_f64; 3];
     for ([x, across], angle) in own.chain(on_rail) {
         let (sine, cosine) = angle.sin_cos();
@@ -274,8 +272,7 @@ fn groove(setting: &Setting) -> Option<Vec<Case>> {
         let mut element =
             Element::new(&parameters, &input, &folders).expect("profiles in the folder");
         let output = evaluate(&mut element, &input);
-        let patches = || output.patches();
-        let area: f64 = patches().map(|p| p.area).sum();
+        let area: f64 = output.patches().map(|p| p.area).sum();
         let errors = vec![
             1e6 * (output.wheel_z + 0.42 - 1e-3 * v("z_ws_mm")),
             100.0 * (1e6 * area / v("area_mm2") - 1.0),
@@ -344,11 +341,10 @@ fn on_flat(
     (input.wheel.pitch, input.wheel.pitch_rate) = (v("pitch_rad"), v("pitch_rate_rad_s"));
     input.wheel.velocity[0] = SPEED;
     let output = evaluate(element, &input);
-    let patches = || output.patches();
     let (pressure, ..) = loads(&output);
-    let load: f64 = patches().map(|p| p.normal_force).sum();
-    let along: f64 = patches().map(|p| p.normal_force * p.position[0]).sum();
-    let area: f64 = patches().map(|p| p.area).sum();
+    let load: f64 = output.patches().map(|p| p.normal_force).sum();
+    let along: f64 = output.patches().map(|p| p.normal_force * p.position[0]).sum();
+    let area: f64 = output.patches().map(|p| p.area).sum();
     let on_rail = ([v("Fx_N"), v("Fs_N")], v("angle_rad"));
     let missed = missed_creep(&output, [on_rail]);
     let errors = vec![

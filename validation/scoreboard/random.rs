@@ -107,16 +107,15 @@ pub fn random_pose(seed: u64) -> Input {
 
 /// N, greatest pressure and area, and the sum of the creep forces.
 fn whole(output: &Output) -> ([f64; 3], [f64; 3]) {
-    let patches = || output.patches();
     let mut creep = [0.0; 3];
-    for patch in patches() {
+    for patch in output.patches() {
         let (sine, cosine) = patch.contact_angle.sin_cos();
         let [x, y] = patch.creep_force;
         creep = [creep[0] + x, creep[1] + y * cosine, creep[2] + y * sine];
     }
-    let load: f64 = patches().map(|p| p.normal_force).sum();
-    let pressure = patches().map(|p| p.max_pressure).fold(0.0, f64::max);
-    ([load, pressure, patches().map(|p| p.area).sum()], creep)
+    let load: f64 = output.patches().map(|p| p.normal_force).sum();
+    let pressure = output.patches().map(|p| p.max_pressure).fold(0.0, f64::max);
+    ([load, pressure, output.patches().map(|p| p.area).sum()], creep)
 }
 
 /// The pose at the height at which the default models carry its load; nothing where they do
@@ -183,10 +182,9 @@ const MAIN: f64 = 0.1;
 
 /// The patches of an output with a tenth of the load at least, from field to gauge side.
 fn main_patches(output: &Output) -> Vec<&Patch> {
-    let patches = || output.patches();
-    let load: f64 = patches().map(|patch| patch.normal_force).sum();
+    let load: f64 = output.patches().map(|patch| patch.normal_force).sum();
     let mut main: Vec<&Patch> =
-        patches().filter(|patch| patch.normal_force >= MAIN * load).collect();
+        output.patches().filter(|patch| patch.normal_force >= MAIN * load).collect();
     main.sort_by(|a, b| a.wheel_y.total_cmp(&b.wheel_y));
     main
 }

@@ -191,11 +191,10 @@ fn under_load(setting: &Setting) -> Parameters {
 /// All normal force, greatest pressure, area, and the mean over the load of the lateral place of
 /// the patches.
 fn sizes(output: &Output) -> [f64; 4] {
-    let patches = || output.patches();
-    let load: f64 = patches().map(|p| p.normal_force).sum();
-    let pressure = patches().map(|p| p.max_pressure).fold(0.0, f64::max);
-    let area = patches().map(|p| p.area).sum();
-    let place: f64 = patches().map(|p| p.normal_force * p.position[1]).sum();
+    let load: f64 = output.patches().map(|p| p.normal_force).sum();
+    let pressure = output.patches().map(|p| p.max_pressure).fold(0.0, f64::max);
+    let area = output.patches().map(|p| p.area).sum();
+    let place: f64 = output.patches().map(|p| p.normal_force * p.position[1]).sum();
     [load, pressure, area, place / load]
 }
 

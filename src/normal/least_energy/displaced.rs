@@ -74,18 +74,18 @@ impl<S: Simd> Growths<S> {
         let below = above + square + root;
         let below_rate = square + root * 0.5 - near;
         let below_bend = square + root * 0.25 + near;
-        let inverse = one / below;
-        let share = above * inverse;
+        let per_below = one / below;
+        let share = above * per_below;
         // Derivatives of the share by ln ω.
-        let slope = inverse * (simd.splat(0.0) - near - share * below_rate);
-        let bend = inverse * (near - share * below_bend - slope * below_rate * 2.0);
+        let slope = per_below * (simd.splat(0.0) - near - share * below_rate);
+        let bend = per_below * (near - share * below_bend - slope * below_rate * 2.0);
         let inverse = one / one.add_product(displacement, share);
         let per_factor = displacement * inverse;
         let rate = per_factor * slope;
         Self { inverse, rate, bend: (per_factor * bend).sub_product(rate, rate) }
     }
 
-    /// What φ is over the reciprocal of p + q, for (Δx/D)² and 1/(2 D²).
+    /// φ (p + q) for (Δx/D)² and 1/(2 D²).
     #[inline(always)]
     pub fn nearness(displacement: Four<S>, half_inverse_distance: Four<S>) -> Four<S> {
         displacement * (displacement * NUMBERS[0] + NUMBERS[1]) / half_inverse_distance

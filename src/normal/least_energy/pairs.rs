@@ -181,7 +181,7 @@ pub(super) struct Pairs {
     /// Square of the displacement over that of the distance, (Δx/D)² [-], and 1/(2 D²) [m^-2].
     pub displacement: Lanes,
     pub half_inverse_distance: Lanes,
-    /// What they grow by where they are short: φ (p + q) of `displaced` [m²].
+    /// φ (p + q) of `displaced` [m²].
     pub nearness: Lanes,
     /// First coefficient of their rows of the table, less what the digits of the least w form.
     pub row: [u64; LANES],

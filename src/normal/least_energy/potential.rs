@@ -58,14 +58,14 @@ fn row(table: &Table, place: u64, from: usize) -> Lanes {
 fn spacing<S: Simd, const SKEWED: bool>(
     simd: S,
     pairs: &Pairs,
-    sum: [Four<S>; 2],
+    sums: [Four<S>; 2],
 ) -> ([Four<S>; 3], Option<Growths<S>>) {
     let (g, h) = (simd.four(&pairs.half_inverse_square), simd.four(&pairs.inverse));
     let soft_rate = simd.four(&pairs.soft_rate);
     if !SKEWED {
         return ([g, h, soft_rate], None);
     }
-    let growth = Growths::new(simd, pairs, sum);
+    let growth = Growths::new(simd, pairs, sums);
     let less = growth.inverse;
     ([g * less, h * less.sqrt(), soft_rate * less], Some(growth))
 }
@@ -81,11 +81,11 @@ pub(super) fn potentials<S: Simd, const SECOND: bool, const SKEWED: bool>(
     q: Four<S>,
 ) -> Potentials<S> {
     let sum = p + q;
-    let sum = [sum, simd.splat(1.0) / sum];
-    let (spacing, growth) = spacing::<S, SKEWED>(simd, pairs, sum);
-    let abreast = potentials_at::<S, SECOND>(simd, table, pairs, spacing, [p, q], sum);
+    let sums = [sum, simd.splat(1.0) / sum];
+    let (spacing, growth) = spacing::<S, SKEWED>(simd, pairs, sums);
+    let abreast = potentials_at::<S, SECOND>(simd, table, pairs, spacing, [p, q], sums);
     match growth {
-        Some(growth) => growth.complete::<SECOND>(simd, [p, q], sum[1], &abreast),
+        Some(growth) => growth.complete::<SECOND>(simd, [p, q], sums[1], &abreast),
         None => abreast,
     }
 }

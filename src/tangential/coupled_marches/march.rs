@@ -66,7 +66,8 @@ pub(super) const ALONG: [Cell; CELLS] = {
 
 /// Marches through some strips, whose sums go into `found`; `each` gets the tractions of a cell, and
 /// whether they are bounded.
-// Sums that went out as a result would be taken apart, and lane by lane put into other vectors.
+// Where they go out as a result, the compiler takes them apart and puts lanes of several sums into one
+// vector.
 #[inline(always)]
 pub(super) fn march<const F: bool, T: Real>(
     strips: &Marched<T>,
@@ -101,7 +102,6 @@ pub(super) fn march<const F: bool, T: Real>(
             fy[lane] = trial_y * scale;
             sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
         }
-        // Loop by loop, so that each is one of vectors.
         for (sums, f) in sums.moments.iter_mut().zip([&fx, &fy]) {
             for lane in 0..LANES {
                 sums[0][lane] += f[lane];

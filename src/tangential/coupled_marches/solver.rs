@@ -172,7 +172,7 @@ impl<T: Real> Solver<T> {
     }
 }
 
-/// Some strips of which others feel something; where there are less, none of a limit.
+/// Some strips by columns, of which others feel something; a place without a strip has no limit.
 #[derive(Clone, Copy, Debug, Default)]
 struct Neighbours<T> {
     y: [T; LANES],
@@ -222,8 +222,8 @@ fn reach<T: Real>(own: &Strip<T>, others: &[Neighbours<T>]) -> [T; 2] {
     }
     let mut reach = [own.width / (own.width + a * 2.0); 2];
     for (reach, lanes) in reach.iter_mut().zip(felt) {
-        for felt in lanes {
-            *reach += felt;
+        for part in lanes {
+            *reach += part;
         }
         let felt = reach.at_most(WIDEST / (WIDEST + 1.0));
         *reach = a * felt / (-felt + 1.0);
@@ -266,11 +266,11 @@ impl Solver {
     /// Solves for bodies of this Poisson's ratio; tractions of the strips taken, against their slip.
     pub fn tractions(&mut self, poisson_ratio: f64) -> Vec<Cells> {
         self.solve(poisson_ratio);
-        let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();
-        let mut found = vec![[([0.0; 2], false); CELLS]; strips.len()];
+        let bounds: Vec<f64> = self.states.iter().map(|state| state.bound).collect();
+        let mut found = vec![[([0.0; 2], false); CELLS]; bounds.len()];
         self.march_all::<FUSED>(|first, cell, [x, y], slip| {
-            for (lane, strip) in strips.iter().enumerate().skip(first).take(LANES) {
-                let bound = strip.limit / (strip.half_length * 2.0) * ALONG[cell].profile;
+            for (lane, bound) in bounds.iter().enumerate().skip(first).take(LANES) {
+                let bound = bound * ALONG[cell].profile;
                 let n = lane - first;
                 found[lane][cell] = ([x[n] / bound, y[n] / bound], slip[n]);
             }
