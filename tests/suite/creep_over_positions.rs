@@ -47,7 +47,7 @@ fn over_positions(step: f64, pairs: &[[&str; 2]], name: &str) -> [[f64; 3]; 4] {
             let mut parameters = Parameters {
                 tangential_model,
                 creepage_model: CreepageModel::Flat,
-                normal_elements: [30, 30],
+                normal_elements: [60, 60],
                 ..Parameters::default()
             };
             parameters.wheel.profile = (*wheel).into();
@@ -155,7 +155,7 @@ fn wear_lies_across_a_patch_as_by_boundary_elements() {
     let mut elements = models.map(|tangential_model| {
         let mut parameters = Parameters { tangential_model, ..Parameters::default() };
         parameters.creepage_model = CreepageModel::Flat;
-        parameters.normal_elements = [30, 30];
+        parameters.normal_elements = [60, 60];
         parameters.wear.model = WearModel::FrictionalWork;
         parameters.wear.distribution = WearDistribution::Strips;
         parameters.wear.smoothing = 2e-3;

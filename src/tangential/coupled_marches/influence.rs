@@ -1,8 +1,8 @@
 //! All functions of one variable that couple strips and give them their flexibilities.
 //!
-//! Two strips with different half lengths are taken as two with the root mean square A of them: the
-//! moments of the tractions and the gradient as a polynomial along the track stay what they are.
-//! What one does to the other is a function of their distance over A then, times powers of A.
+//! Two strips with different half lengths are taken as two of one half length A, close to the greater
+//! one: the moments of the tractions and the gradient as a polynomial along the track stay what they
+//! are. What one does to the other is a function of their distance over A then, times powers of A.
 
 use super::adhesion::{flexibilities, weights};
 use super::band::{Projected, band, narrow, projected};
@@ -27,6 +27,25 @@ pub(super) struct Influence {
     band: Functions<4>,
     /// Of the square of the width of a band: flexibilities at four ratios, and P and R.
     own: Functions<6>,
+}
+
+/// 1/A² of the half length A that stands for two strips of the half lengths `a` and `b` > 0,
+///
+/// ```text
+/// A² = (a⁶ + b⁶)/(a⁴ + b⁴)
+/// ```
+///
+/// What a strip does to one beside it that is shorter is the slope of its tractions, which goes with
+/// its own length; what it does to a longer one is felt in the mean over that. Their mean square
+/// instead has up to twice as much of it at the edges of a patch.
+#[inline(always)]
+pub(super) fn inverse_square<T: Real>(a: T, b: T) -> T {
+    let (a, b) = (a * a, b * b);
+    let sum = a + b;
+    let share = a / sum;
+    let product = share - share * share;
+    // By shares, as sixth powers of small lengths vanish.
+    (-product * 2.0 + 1.0) / (sum * (-product * 3.0 + 1.0))
 }
 
 /// What two strips add to each other's gradients by the moments of their tractions, over the factor
@@ -103,16 +122,15 @@ impl Influence {
     }
 
     /// What a narrow strip does to another one at the `distance` > 0 in the direction of greater y,
-    /// over its width, where their half lengths have the mean square `square`; in the other
-    /// direction what is crossed has the other sign.
+    /// over its width, with 1/A² `inverse`; in the other direction what is crossed has the other
+    /// sign.
     #[inline(always)]
     pub fn narrow<const F: bool, T: Real>(
         &self,
         distance: T,
-        square: T,
+        inverse: T,
         ratio: &Ratio<T>,
     ) -> Pair<T> {
-        let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         // A to the power of -2 - m - k, of which one is left for the width.
         let found = self.narrow.at::<F, T>(distance * distance * inverse);
@@ -125,10 +143,9 @@ impl Influence {
         &self,
         distance: T,
         width: T,
-        square: T,
+        inverse: T,
         ratio: &Ratio<T>,
     ) -> Pair<T> {
-        let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         let near = ((distance - width * 0.5) * root).at_least(0.0);
         let far = (distance + width * 0.5) * root;

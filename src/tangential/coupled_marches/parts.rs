@@ -6,8 +6,8 @@
 //! the moments of the tractions of its own.
 
 use super::functions::Four;
-use super::influence::{Influence, Ratio};
-use super::state::{Moments, State, felt, receive};
+use super::influence::{Influence, Ratio, inverse_square};
+use super::state::{Moments, State, Strip, felt, receive};
 use crate::kinematics::creepage::Creepage;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
@@ -31,9 +31,10 @@ const PARTS: usize = 3;
 /// A part as one strip.
 #[derive(Clone, Copy, Debug)]
 struct Part<T> {
-    /// Where its load is [m], its mean half length [m] and its load [N].
+    /// Where its load is [m], its mean half length [m], its width [m] and its load [N].
     y: T,
     half_length: T,
+    width: T,
     load: T,
     shear_modulus: T,
     /// Of the tractions of its marches.
@@ -58,6 +59,10 @@ struct Zone<T> {
     parts: [Option<Part<T>>; PARTS],
 }
 
+/// Load per width over the mean of a part at which a strip has half as much per width of what the
+/// marches lack as others: a strip that comes in brings nothing with it. They lack most at the edges.
+const LITTLE: f64 = 0.1;
+
 /// Zones for which there is room; further ones allocate.
 const ROOM: usize = 16;
 
@@ -75,13 +80,14 @@ impl<T: Real> Part<T> {
     /// The part `n` of a zone of these strips, which carry load.
     fn of(strips: &[State<T>], n: usize) -> Self {
         let zero = T::from(0.0);
-        let [mut load, mut y, mut square] = [zero; 3];
+        let [mut load, mut width, mut y, mut square] = [zero; 4];
         let mut sums = [[zero; 3]; 2];
         for state in strips {
             let strip = &state.strip;
             let member = membership(strip.left)[n];
             let own = member * strip.load;
             load += own;
+            width += member * strip.width;
             y += own * strip.y;
             square += own * strip.half_length * strip.half_length;
             for (sums, moments) in sums.iter_mut().zip(&state.moments) {
@@ -95,6 +101,7 @@ impl<T: Real> Part<T> {
         Self {
             y: y * per_load,
             half_length: (square * per_load).sqrt(),
+            width,
             load,
             shear_modulus: strips[0].strip.shear_modulus,
             moments: sums.map(Moments::of),
@@ -114,9 +121,8 @@ impl<T: Real> Part<T> {
         if distance <= 0.0 || self.load <= 0.0 || other.load <= 0.0 {
             return;
         }
-        let square =
-            (self.half_length * self.half_length + other.half_length * other.half_length) * 0.5;
-        let pair = Influence::shared().narrow::<false, T>(distance, square, ratio);
+        let inverse = inverse_square(self.half_length, other.half_length);
+        let pair = Influence::shared().narrow::<false, T>(distance, inverse, ratio);
         if other.y < self.y {
             receive::<false, true, T>(gradients, &pair, moments);
         } else {
@@ -125,8 +131,8 @@ impl<T: Real> Part<T> {
     }
 
     /// Adds what its marches lack to the tractions of the strips of its zone, of which it is number
-    /// `n`, in proportion to their loads: so much that the force with its `share` in that of the
-    /// zone is not above `limit`.
+    /// `n`, evenly over the width but for strips that hardly carry load: so much that the force with
+    /// its `share` in that of the zone is not above `limit`.
     fn spread(&self, strips: &mut [State<T>], n: usize, share: T, limit: T) {
         let [mut x, mut y] = [T::from(0.0); 2];
         for state in strips.iter() {
@@ -141,9 +147,14 @@ impl<T: Real> Part<T> {
             let ratio = limit / magnitude;
             (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);
         }
-        let per_load = T::from(1.0) / self.load;
+        let little = self.load / self.width * LITTLE;
+        let weight = |strip: &Strip<T>| {
+            let member = membership(strip.left)[n] * strip.load;
+            member / (strip.load / strip.width + little)
+        };
+        let all: T = strips.iter().map(|state| weight(&state.strip)).sum();
         for state in strips {
-            let of_part = membership(state.strip.left)[n] * state.strip.load * per_load;
+            let of_part = weight(&state.strip) / all;
             let [[along, _], [across, turning]] = &mut state.resultant.moments;
             *along -= of_part * lacks_x;
             *across -= of_part * lacks_y;
@@ -229,8 +240,8 @@ impl<T: Real> Zones<T> {
         }
     }
 
-    /// Adds what the marches lack to the tractions of the strips, in proportion to their loads and
-    /// within what friction holds of each part.
+    /// Adds what the marches lack to the tractions of the strips, within what friction holds of each
+    /// part.
     pub fn spread(&self, states: &mut [State<T>]) {
         let mut further = states;
         for zone in self.zones.iter() {

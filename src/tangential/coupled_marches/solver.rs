@@ -4,7 +4,7 @@
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::V3;
 
-use super::influence::{Influence, Pair, Ratio, WIDEST};
+use super::influence::{Influence, Pair, Ratio, WIDEST, inverse_square};
 use super::march::{ALONG, CELLS, LANES, Marched, Sums, march};
 use super::parts::{ZoneParts, Zones};
 use super::state::{Resultant, State, Strip, receive};
@@ -246,13 +246,12 @@ fn pair<const F: bool, T: Real>(
         return Pair::default();
     }
     let [below, above] = [&below.strip, &above.strip];
-    let square =
-        (below.half_length * below.half_length + above.half_length * above.half_length) * 0.5;
+    let inverse = inverse_square(below.half_length, above.half_length);
     if between < NEAR {
         let width = (below.width + above.width) * 0.5;
-        influence.wide::<F, T>(distance, width, square, ratio)
+        influence.wide::<F, T>(distance, width, inverse, ratio)
     } else {
-        influence.narrow::<F, T>(distance, square, ratio)
+        influence.narrow::<F, T>(distance, inverse, ratio)
     }
 }
 
