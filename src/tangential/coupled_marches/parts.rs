@@ -31,10 +31,9 @@ const PARTS: usize = 3;
 /// A part as one strip.
 #[derive(Clone, Copy, Debug)]
 struct Part<T> {
-    /// Where its load is [m], its mean half length [m], its width [m] and its load [N].
+    /// Where its load is [m], its mean half length [m] and its load [N].
     y: T,
     half_length: T,
-    width: T,
     load: T,
     shear_modulus: T,
     /// Of the tractions of its marches.
@@ -59,8 +58,9 @@ struct Zone<T> {
     parts: [Option<Part<T>>; PARTS],
 }
 
-/// Load per width over the mean of a part at which a strip has half as much per width of what the
-/// marches lack as others: a strip that comes in brings nothing with it. They lack most at the edges.
+/// Square of the half length of a strip over that of its part at which it has half as much per width
+/// of what the marches lack as long strips: one that comes in without length brings nothing with it.
+/// What they lack lies at the edges above all.
 const LITTLE: f64 = 0.1;
 
 /// Zones for which there is room; further ones allocate.
@@ -80,14 +80,13 @@ impl<T: Real> Part<T> {
     /// The part `n` of a zone of these strips, which carry load.
     fn of(strips: &[State<T>], n: usize) -> Self {
         let zero = T::from(0.0);
-        let [mut load, mut width, mut y, mut square] = [zero; 4];
+        let [mut load, mut y, mut square] = [zero; 3];
         let mut sums = [[zero; 3]; 2];
         for state in strips {
             let strip = &state.strip;
             let member = membership(strip.left)[n];
             let own = member * strip.load;
             load += own;
-            width += member * strip.width;
             y += own * strip.y;
             square += own * strip.half_length * strip.half_length;
             for (sums, moments) in sums.iter_mut().zip(&state.moments) {
@@ -101,7 +100,6 @@ impl<T: Real> Part<T> {
         Self {
             y: y * per_load,
             half_length: (square * per_load).sqrt(),
-            width,
             load,
             shear_modulus: strips[0].strip.shear_modulus,
             moments: sums.map(Moments::of),
@@ -131,14 +129,20 @@ impl<T: Real> Part<T> {
     }
 
     /// Adds what its marches lack to the tractions of the strips of its zone, of which it is number
-    /// `n`, evenly over the width but for strips that hardly carry load: so much that the force with
-    /// its `share` in that of the zone is not above `limit`.
+    /// `n`, evenly over the width but for strips that are short: so much that the force with its
+    /// `share` in that of the zone is not above `limit`.
     fn spread(&self, strips: &mut [State<T>], n: usize, share: T, limit: T) {
-        let [mut x, mut y] = [T::from(0.0); 2];
+        let little = self.half_length * self.half_length * LITTLE;
+        let weight = |strip: &Strip<T>| {
+            let square = strip.half_length * strip.half_length;
+            membership(strip.left)[n] * strip.width * square / (square + little)
+        };
+        let [mut x, mut y, mut weights] = [T::from(0.0); 3];
         for state in strips.iter() {
             let member = share * membership(state.strip.left)[n];
             let [along, across] = state.marched();
             (x, y) = (x - member * along, y - member * across);
+            weights += weight(&state.strip);
         }
         let [mut lacks_x, mut lacks_y, moment] = self.lacks;
         let whole = [x + lacks_x, y + lacks_y];
@@ -147,14 +151,9 @@ impl<T: Real> Part<T> {
             let ratio = limit / magnitude;
             (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);
         }
-        let little = self.load / self.width * LITTLE;
-        let weight = |strip: &Strip<T>| {
-            let member = membership(strip.left)[n] * strip.load;
-            member / (strip.load / strip.width + little)
-        };
-        let all: T = strips.iter().map(|state| weight(&state.strip)).sum();
+        let per_weight = T::from(1.0) / weights;
         for state in strips {
-            let of_part = weight(&state.strip) / all;
+            let of_part = weight(&state.strip) * per_weight;
             let [[along, _], [across, turning]] = &mut state.resultant.moments;
             *along -= of_part * lacks_x;
             *across -= of_part * lacks_y;
