@@ -61,7 +61,7 @@ struct Zone<T> {
 /// Square of the half length of a strip over that of its part at which it has half as much per width
 /// of what the marches lack as long strips: one that comes in without length brings nothing with it.
 /// What they lack lies at the edges above all.
-const LITTLE: f64 = 0.1;
+const LITTLE: f64 = 0.05;
 
 /// Zones for which there is room; further ones allocate.
 const ROOM: usize = 16;
@@ -129,8 +129,9 @@ impl<T: Real> Part<T> {
     }
 
     /// Adds what its marches lack to the tractions of the strips of its zone, of which it is number
-    /// `n`, evenly over the width but for strips that are short: so much that the force with its
-    /// `share` in that of the zone is not above `limit`.
+    /// `n`: so much that the force with its `share` in that of the zone is not above `limit`. Where
+    /// all adheres it lies evenly over the width but for strips that are short, where all slides as
+    /// the load does; the square of the force over the limit leads from one to the other.
     fn spread(&self, strips: &mut [State<T>], n: usize, share: T, limit: T) {
         let little = self.half_length * self.half_length * LITTLE;
         let weight = |strip: &Strip<T>| {
@@ -147,13 +148,17 @@ impl<T: Real> Part<T> {
         let [mut lacks_x, mut lacks_y, moment] = self.lacks;
         let whole = [x + lacks_x, y + lacks_y];
         let magnitude = whole[0].hypotenuse(whole[1]);
-        if magnitude > limit {
+        let mut slides = T::from(1.0);
+        if magnitude < limit {
+            slides = (magnitude / limit).powi(2);
+        } else if magnitude > limit {
             let ratio = limit / magnitude;
             (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);
         }
-        let per_weight = T::from(1.0) / weights;
+        let (per_weight, per_load) = ((-slides + 1.0) / weights, slides / self.load);
         for state in strips {
-            let of_part = weight(&state.strip) * per_weight;
+            let member = membership(state.strip.left)[n];
+            let of_part = weight(&state.strip) * per_weight + member * state.strip.load * per_load;
             let [[along, _], [across, turning]] = &mut state.resultant.moments;
             *along -= of_part * lacks_x;
             *across -= of_part * lacks_y;
