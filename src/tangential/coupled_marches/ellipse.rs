@@ -2,7 +2,7 @@
 //!
 //! Its strips are those of the normal problem, not even ones of the exact ellipse: their hats reach
 //! beyond an edge or not up to it, and marches through them have linear creep coefficients that are
-//! up to 3 % low, 12 % for the moment of a spin. Where edges lie between nodes differs from patch to
+//! low, that of the moment of a spin most. Where edges lie between nodes differs from patch to
 //! patch, so that the forces are means over problems of a few numbers of nodes.
 //!
 //! Units as in [`tables`](crate::tangential::tables): lengths over c = sqrt(a b), forces over μ N,

@@ -37,7 +37,7 @@ pub(super) struct Influence {
 ///
 /// What a strip does to one beside it that is shorter is the slope of its tractions, which goes with
 /// its own length; what it does to a longer one is felt in the mean over that. Their mean square
-/// instead has up to twice as much of it at the edges of a patch.
+/// instead makes more of it, and takes force from the strips at the edges of a patch.
 #[inline(always)]
 pub(super) fn inverse_square<T: Real>(a: T, b: T) -> T {
     let (a, b) = (a * a, b * b);

@@ -131,7 +131,8 @@ impl<T: Real> Part<T> {
     /// Adds what its marches lack to the tractions of the strips of its zone, of which it is number
     /// `n`: so much that the force with its `share` in that of the zone is not above `limit`. Where
     /// all adheres it lies evenly over the width but for strips that are short, where all slides as
-    /// the load does; the square of the force over the limit leads from one to the other.
+    /// the load does, as no strip has more than its load holds; the square of the force over the
+    /// limit leads from one to the other.
     fn spread(&self, strips: &mut [State<T>], n: usize, share: T, limit: T) {
         let little = self.half_length * self.half_length * LITTLE;
         let weight = |strip: &Strip<T>| {
