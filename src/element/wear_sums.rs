@@ -21,6 +21,8 @@ const MAX_NODES: usize = 512;
 /// Least and greatest number of cells across a patch; in between they are as wide as those of the
 /// sums.
 const CELLS: [f64; 2] = [16.0, 80.0];
+/// Cells between two strips that share out what both wear off.
+const PANEL_CELLS: usize = 4;
 
 /// What wear has to remember: all of it, profiles follow.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -311,7 +313,8 @@ impl WearSums {
         }
     }
 
-    /// Adds the wear of each strip of a zone where it lies.
+    /// Adds the wear of each strip of a zone where it lies: most of it there, less and less towards the
+    /// strips beside it.
     fn deposit_strips(
         &mut self,
         k: usize,
@@ -323,32 +326,46 @@ impl WearSums {
         let duration = self.duration;
         let Self { wheel, rails, rates, .. } = self;
         let Some(rail) = &mut rails[k] else { return };
-        let widths: f64 = zone.range().map(|j| strips.width[j]).sum();
-        let mut u = left;
-        let mut last = [wheel.to_base(u), rail.to_base(separation.rail_parameter(u))];
-        for (i, rate) in rates.iter().enumerate() {
-            u += strips.width[zone.first + i] / widths * (right - left);
-            let next = [wheel.to_base(u), rail.to_base(separation.rail_parameter(u))];
-            wheel.deposit(last[0], next[0], rate[0] * duration);
-            rail.deposit(last[1], next[1], rate[1] * duration);
-            last = next;
+        // Places of strip `i` and of its neighbours; the edges before the first and behind the last.
+        let place = |i: usize| match i {
+            0 => left,
+            i if i > zone.count => right,
+            i => strips.u[zone.first + i - 1].clamp(left, right),
+        };
+        let mut last = [wheel.to_base(left), rail.to_base(separation.rail_parameter(left))];
+        for panel in 0..=zone.count {
+            let start = last;
+            let [before, from, to, behind] =
+                [panel.saturating_sub(1), panel, panel + 1, panel + 2].map(place);
+            // What the strips at both ends of the panel put on it.
+            let share = |own: f64, other: f64| if own > 0.0 { own / (own + other) } else { 0.0 };
+            let shares = [share(to - from, from - before), share(to - from, behind - to)];
+            let volumes = [panel.checked_sub(1), Some(panel)].map(|strip| {
+                let rate = strip.and_then(|strip| rates.get(strip)).copied().unwrap_or_default();
+                rate.map(|rate| rate * duration)
+            });
+            let stop = [wheel.to_base(to), rail.to_base(separation.rail_parameter(to))];
+            for cell in 0..PANEL_CELLS {
+                let [begin, end] = [cell, cell + 1].map(|k| k as f64 / PANEL_CELLS as f64);
+                // Of a hat that rises from one end of the panel to the other.
+                let rising = end * end - begin * begin;
+                let falling = 2.0 * (end - begin) - rising;
+                let of = |body: usize| {
+                    shares[0] * falling * volumes[0][body] + shares[1] * rising * volumes[1][body]
+                };
+                let next = [0, 1].map(|body| start[body] + (stop[body] - start[body]) * end);
+                wheel.deposit(last[0], next[0], of(0));
+                rail.deposit(last[1], next[1], of(1));
+                last = next;
+            }
         }
     }
 }
 
 /// Parameters of the contact line at the edges of a zone [m].
-///
-/// Strips are as wide as a rule of quadrature has it, so that their mean place is the middle of the
-/// zone.
 fn edges(zone: &Zone, strips: &Strips) -> [f64; 2] {
-    let range = zone.range();
-    let (mut width, mut middle) = (0.0, 0.0);
-    for j in range.clone() {
-        width += strips.width[j];
-        middle += strips.width[j] * strips.y[j];
-    }
-    middle /= width;
-    let (first, last) = (range.start, range.end - 1);
+    let [left, right] = strips.edges(zone);
+    let (first, last) = (zone.first, zone.first + zone.count - 1);
     // Per lateral distance, over the outermost strips at either end.
     let rate = |a: usize, b: usize| {
         let rate = (strips.u[b] - strips.u[a]) / (strips.y[b] - strips.y[a]);
@@ -357,8 +374,8 @@ fn edges(zone: &Zone, strips: &Strips) -> [f64; 2] {
     let inner = (first + 1).min(last);
     let outer = last.saturating_sub(1).max(first);
     [
-        strips.u[first] - (strips.y[first] - (middle - 0.5 * width)).max(0.0) * rate(first, inner),
-        strips.u[last] + (middle + 0.5 * width - strips.y[last]).max(0.0) * rate(outer, last),
+        strips.u[first] - (strips.y[first] - left).max(0.0) * rate(first, inner),
+        strips.u[last] + (right - strips.y[last]).max(0.0) * rate(outer, last),
     ]
 }
 

@@ -160,6 +160,25 @@ impl<T: Real> Strips<T> {
         }
     }
 
+    /// Left and right edge of `zone` across, in the contact frame [m].
+    ///
+    /// Where its model does not say how far they are beyond the outermost strips, these are as wide as
+    /// a rule of quadrature has it: their mean place is the middle of the zone.
+    pub fn edges(&self, zone: &Zone<T>) -> [T; 2] {
+        let range = zone.range();
+        let [before, behind] = zone.beyond;
+        if before.value() + behind.value() > 0.0 {
+            return [self.y[range.start] - before, self.y[range.end - 1] + behind];
+        }
+        let (mut width, mut middle) = (T::from(0.0), T::from(0.0));
+        for j in range {
+            width += self.width[j];
+            middle += self.width[j] * self.y[j];
+        }
+        let (half, middle) = (width * 0.5, middle / width);
+        [middle - half, middle + half]
+    }
+
     /// Load of strip `j` over π/2 [N].
     #[inline]
     pub fn weight(&self, j: usize) -> T {

@@ -17,15 +17,17 @@
 //! than 1, as q says little of strips that have hardly any load. Loads stay as they are: they are
 //! right to second order.
 //!
-//! At the edge of an ellipse l goes to zero as a line; what the hats make of that puts the edge at
+//! An edge lies where the parabola ends that has the load per width l and its slope l' of the node
+//! before the outermost one, and the load L that is left beyond that node,
 //!
 //! ```text
-//! h (0.1 + 1.7 r) beyond the last node,  r = its load per width over that of the one before it,
+//! 2/3 l t + l' t²/6 = L
 //! ```
 //!
-//! h the width of the panel: one line for all places of the edge in the panel, fitted to ellipses of
-//! a/b 0.08 to 34. It ends at 1.1 h, where a node that comes in at h puts the edge as well; zones of
-//! one node reach so far.
+//! t from that node on. Nodes at edges have less load than the ellipse there, which puts it h 0.17 (1 -
+//! r)⁴ further out, r the load per width of the outermost node over that of the one before it, h the
+//! width of the panel: fitted to ellipses of a/b 0.06 to 16. It lies no further out than the next node
+//! but for that.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -41,11 +43,9 @@ use crate::normal::{LoadedStrip, Strips, Zone};
 const SMOOTHING: f64 = 0.25;
 /// What χ of a strip's own changes by the curvature of the displacement over that of the wheel.
 const OWN_SHAPE: f64 = 2.75;
-/// Place of an edge beyond the last node over the width of the panel, without load there, and by
-/// the ratio of the last two loads.
-const EDGE: [f64; 2] = [0.1, 1.7];
-/// The same where the next node comes in.
-const MOST_EDGE: f64 = 1.0 + EDGE[0];
+/// What an edge lies further out, over the width of the panel, than the parabola of its load says,
+/// where the outermost node has no load.
+const EDGE: f64 = 0.17;
 /// Nodes and weights of Gauss and Legendre on [0, 1].
 const GAUSS: [[f64; 2]; 4] = [
     [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
@@ -226,16 +226,29 @@ impl<T: Real> Zones<T> {
 
     /// Where the zone of the nodes from `begin` to `end` ends, before and behind them [m].
     fn edges(&self, nodes: &[Node<T>], begin: usize, end: usize) -> [T; 2] {
-        [(begin, 0, -1.0), (end - 1, 1, 1.0)].map(|(last, side, sign)| {
-            let panel = nodes[last].reach[side];
-            let mut share = T::from(MOST_EDGE);
-            if end - begin > 1 {
-                let inner = if side == 0 { last + 1 } else { last - 1 };
-                let unequal = (nodes[last].y - nodes[inner].y).abs() / panel + 1.0;
-                let ratio = self.load[last] / self.load[inner] * unequal * 0.5;
-                share = (ratio * EDGE[1] + EDGE[0]).at_most(MOST_EDGE);
-            }
-            nodes[last].y + panel * share * sign
+        let last = end - 1;
+        // Place, load per width, and the same smoothed, so many nodes further inside; nothing is
+        // loaded beyond the other edge.
+        [0, 1].map(|side| {
+            let (outermost, other) = if side == 0 { (begin, last) } else { (last, begin) };
+            let outward = if side == 0 { -1.0 } else { 1.0 };
+            let panel = nodes[outermost].reach[side];
+            let inside = |count: usize| {
+                if count < end - begin {
+                    let i = if side == 0 { begin + count } else { last - count };
+                    return [
+                        (nodes[i].y - nodes[outermost].y) * outward,
+                        self.load[i],
+                        self.smooth[i],
+                    ];
+                }
+                let beyond = (count + 1 - (end - begin)) as f64;
+                let to = (nodes[other].y - nodes[outermost].y) * outward;
+                [to - nodes[other].reach[1 - side] * beyond, T::from(0.0), T::from(0.0)]
+            };
+            let [own, base, next] = [0, 1, 2].map(inside);
+            let share = edge_share(panel, own, base, next);
+            nodes[outermost].y + panel * share * outward
         })
     }
 
@@ -249,8 +262,7 @@ impl<T: Real> Zones<T> {
             let sum: T = (begin..end).map(|i| self.length_square(i) * nodes[i].width).sum();
             return (sum * 1.5 / width).sqrt() * width * FRAC_PI_2;
         }
-        // Without the outermost nodes, whose load the edges take up, and then with them.
-        let outermost = [begin, end - 1].map(|i| [nodes[i].y, self.length_square(i)]);
+        // Without the outermost nodes, whose load the edges take up.
         self.outline.clear();
         self.outline.push([low, zero]);
         for (i, node) in nodes.iter().enumerate().take(end - 1).skip(begin + 1) {
@@ -258,12 +270,6 @@ impl<T: Real> Zones<T> {
             self.outline.push([node.y, square]);
         }
         self.outline.push([high, zero]);
-        self.put_slopes();
-        let last = self.outline.len() - 1;
-        let [first, second] = [(0, outermost[0]), (last - 1, outermost[1])]
-            .map(|(k, [y, own])| [y, own.max(curve(&self.outline, k, self.slopes_at(k), y))]);
-        self.outline.insert(1, first);
-        self.outline.insert(last + 1, second);
         self.put_slopes();
         let points = &self.outline;
         let mut area = zero;
@@ -316,6 +322,24 @@ impl<T: Real> Zones<T> {
     fn slopes_at(&self, k: usize) -> [T; 2] {
         [self.slopes[k], self.slopes[k + 1]]
     }
+}
+
+/// Place of an edge beyond the outermost node over its `panel`: of that node, and of the first and
+/// second ones inside, place from it outward, load per width and the same smoothed.
+fn edge_share<T: Real>(panel: T, own: [T; 3], base: [T; 3], next: [T; 3]) -> T {
+    let (outer, inner) = (-base[0], base[0] - next[0]);
+    let beyond = own[1] * panel * 0.5 + (own[1] + base[1]) * outer * 0.5;
+    let rise = (own[2] - base[2]) / outer * inner + (base[2] - next[2]) / inner * outer;
+    let slope = rise / (outer + inner);
+    // Of 2/3 l t + l' t²/6 = L, which holds at the edge of a parabola.
+    let line = base[2] * (1.0 / 3.0);
+    let root = (line * line + slope * beyond * (1.0 / 6.0)).at_least(f64::MIN_POSITIVE).sqrt();
+    let distance = beyond / (line + root);
+    let share = ((distance - outer) / panel).within(0.0, 1.0);
+    let unequal = outer / panel + 1.0;
+    let rest = (-(own[1] / base[1]) * unequal * 0.5 + 1.0).at_least(0.0);
+    let square = rest * rest;
+    share + square * square * EDGE
 }
 
 /// What χ of a strip's own is more than the field, by the curvature of the displacement along it
