@@ -74,6 +74,8 @@ pub(super) struct State<T> {
     pub bound: T,
     /// What sums of tractions times t^k over the cells are multiplied by, k = 0, 1, 2.
     weights: [T; 3],
+    /// Moment of its spin over its width where all adheres [N m].
+    turning: T,
     pub moments: [Moments<T>; 2],
     pub gradients: [Four<T>; 2],
     /// What does not come from marches.
@@ -168,6 +170,7 @@ impl<T: Real> State<T> {
             growth: [Growth::default(); 2],
             bound: T::from(0.0),
             weights: [T::from(0.0); 3],
+            turning: T::from(0.0),
             moments: [Moments::none(); 2],
             gradients: [[T::from(0.0); 4]; 2],
             given: [[T::from(0.0); 4]; 2],
@@ -178,12 +181,15 @@ impl<T: Real> State<T> {
     /// Lays out what marches through a strip of this `own` need; nothing comes from others yet.
     #[inline(always)]
     pub fn begin(&mut self, own: Own<T>) {
-        let Strip { half_length: a, width, limit, .. } = self.strip;
+        let Strip { half_length: a, width, limit, creepage, shear_modulus, .. } = self.strip;
         let zeroth = a * (2.0 / CELLS as f64) * width;
         let first = zeroth * a;
         self.own = own;
         self.growth = self.growth();
         (self.bound, self.weights) = (limit / (a * 2.0), [zeroth, first, first * a]);
+        // Rigid slip grows across it, and its load is a hat, whose mean square is a sixth of w².
+        let per_slip = shear_modulus * a * a * width * 2.0 / own.flexibility[0][0];
+        self.turning = per_slip * creepage.spin * width * width * (1.0 / 6.0);
         (self.gradients, self.given) = ([[T::from(0.0); 4]; 2], [[T::from(0.0); 4]; 2]);
     }
 
@@ -237,6 +243,13 @@ impl<T: Real> State<T> {
             self.moments[component] = Moments::of(moments);
             self.resultant.moments[component] = [moments[0], moments[1]];
         }
+        // Where it slides, all of it is dragged as its middle is, and friction holds no more than its
+        // load turns about that.
+        let ([x, y], bound) = (self.marched(), self.strip.limit * self.strip.width);
+        let slides = ((x * x + y * y) / (bound * bound)).at_most(1.0);
+        let share = self.turning / (bound * self.strip.width * (1.0 / 3.0));
+        self.resultant.moments[1][1] +=
+            self.turning * (-slides + 1.0) / (share * share + 1.0).sqrt();
         self.resultant.slip_share = sums.slipping[lane] / CELLS as f64;
     }
 }
