@@ -242,8 +242,9 @@ with_defaults! {
         pub virtual_penetration: f64 = 0.55,
         /// Ratio of length to width that a corrected contact area gets.
         pub shape_fit: ShapeFit = ShapeFit::Hertz,
-        /// Strips across each loaded zone, 4 to 200.
-        pub strips: usize = 20,
+        /// Strips, 4 to 200: for [`NormalModel::Strips`] over all zones of a rail, at least 8; for the
+        /// others across each zone, one more where it is odd.
+        pub strips: usize = 15,
         /// Boundary elements along and across the extent of a contact, 4 to 200.
         pub normal_elements: [usize; 2] = [40, 40],
         /// Contact damping at the reference stiffness, ≥ 0 [N s/m].

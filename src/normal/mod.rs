@@ -21,7 +21,7 @@ mod zones;
 
 pub use descent::{Descent, Pose, Slope, way_between};
 pub use element_pressure::ElementPressure;
-pub use problem::{NormalModel, NormalProblem};
+pub use problem::{NormalModel, NormalProblem, strips_of_rule};
 pub use shape_correction::ShapeFit;
 pub use solve::{solve, solve_in_frame};
 pub use strips::{LoadedStrip, Strips, Zone};

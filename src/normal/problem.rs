@@ -39,3 +39,10 @@ pub struct NormalProblem<'a, T = f64> {
     /// Elements along and across the contact, for the model with boundary elements.
     pub elements: [usize; 2],
 }
+
+/// Strips across a zone of the models with a rule of quadrature, where `strips` are asked for: one
+/// more than an odd number, as the middle of a rule is about where the bodies touch first, and what
+/// a strip does there grows beyond all bounds.
+pub fn strips_of_rule(strips: usize) -> usize {
+    strips.next_multiple_of(2)
+}

@@ -15,8 +15,6 @@ pub use case::{Indentation, PlanarCase};
 pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
 pub use transient::{History, StepMotion, TransientContact, TransientField, TransientResult};
 
-use std::ops::Range;
-
 pub use crate::friction::StripFriction;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
@@ -33,7 +31,7 @@ use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::normal::least_energy::{MIN_STRIPS, StripSolver, solve_in_frame};
-use crate::normal::{self, NormalProblem, Strips};
+use crate::normal::{self, NormalProblem, Strips, strips_of_rule};
 use crate::tangential::{CreepForce, Creepage, RollingState, RollingZone, Settings, Tangential};
 use case::MAX_APPROACH;
 use line::PlanarLine;
@@ -116,9 +114,10 @@ struct Pressed {
 fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     case.check()?;
     let mut line = PlanarLine::new(case.separation);
-    let rule = GaussLegendre::new(case.strips);
+    let rule = GaussLegendre::new(strips_of_rule(case.strips));
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
-    let mut strips = Strips::with_capacity(MAX_ZONES, MAX_ZONES * case.strips.max(MIN_STRIPS));
+    let mut strips =
+        Strips::with_capacity(MAX_ZONES, MAX_ZONES * strips_of_rule(case.strips).max(MIN_STRIPS));
     let mut solver =
         (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
@@ -251,7 +250,7 @@ fn without_creep_forces(strips: &Strips) -> PlanarResult {
         result.max_pressure = result.max_pressure.max(zone.max_pressure);
         result.area += zone.area;
         result.length = result.length.max(zone.length);
-        let edges = zone_edges(strips, zone.range());
+        let edges = strips.edges(zone);
         left = left.min(edges[0]);
         right = right.max(edges[1]);
     }
@@ -265,7 +264,7 @@ fn tangential_of(case: &PlanarCase) -> Tangential {
         bound: case.bound,
         elements_along: case.elements_along,
         elements: case.elements,
-        strips: case.strips,
+        strips: strips_of_rule(case.strips),
     };
     Tangential::new(case.tangential_model, &settings)
         .with_laws([case.friction_law, case.gauge_face_law])
@@ -282,12 +281,4 @@ fn rolling_state(case: &PlanarCase, y: f64) -> RollingState {
         load_factor: 1.0,
         speed: case.speed,
     }
-}
-
-/// Left and right edge of a zone from its strips: Gauss-Legendre weights sum to its width.
-fn zone_edges(strips: &Strips, range: Range<usize>) -> [f64; 2] {
-    let (a, b) = (strips.y[range.start], strips.y[range.end - 1]);
-    let width: f64 = strips.width[range].iter().sum();
-    let middle = 0.5 * (a + b);
-    [middle - 0.5 * width, middle + 0.5 * width]
 }

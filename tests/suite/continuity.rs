@@ -33,6 +33,7 @@ fn normal_element(normal_model: NormalModel) -> Element {
     let parameters = Parameters {
         normal_model,
         tangential_model: TangentialModel::None,
+        strips: 20,
         ..Parameters::default()
     };
     Element::new(&parameters, &at(0.0, -0.46), &[]).unwrap()

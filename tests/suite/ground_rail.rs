@@ -89,11 +89,15 @@ fn strips_on_narrow_ridges_carry_what_boundary_elements_do_and_more_the_deeper()
     let few = [0, HEIGHTS / 2, HEIGHTS - 1];
     let solved = forces(&folder, |own| own.normal_model = NormalModel::BoundaryElement, &few);
     let stiffness = (solved[2] - solved[0]) / (STEP * (HEIGHTS - 1) as f64);
-    for strips in [20, 40] {
+    for strips in [Parameters::default().strips, 20, 40] {
         let found = forces(&folder, |own| own.strips = strips, &all);
         for (wanted, k) in solved.iter().zip(few) {
             let error = (found[k] / wanted - 1.0).abs();
             assert!(error <= tolerance::KINKED_FORCE, "{strips} strips: {error}");
+        }
+        // With few nodes on a ridge the force wavers as they move over its kinks.
+        if strips == Parameters::default().strips {
+            continue;
         }
         for pair in found.windows(2) {
             let fall = 1.0 - pair[1] / pair[0];

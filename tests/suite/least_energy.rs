@@ -104,7 +104,7 @@ fn planar_errors(solver: &mut StripSolver) -> [Vec<f64>; 3] {
 fn planar_problems_agree_with_contact() {
     let mut summary = Summary::new("planar_strips");
     for (strips, bounds, name) in
-        [(20, tolerance::PLANAR_20, "PLANAR_20"), (40, tolerance::PLANAR_40, "PLANAR_40")]
+        [(15, tolerance::PLANAR_15, "PLANAR_15"), (40, tolerance::PLANAR_40, "PLANAR_40")]
     {
         let mut solver = StripSolver::new(strips);
         let targets = tolerance::targets(name);

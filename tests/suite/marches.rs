@@ -19,6 +19,7 @@ fn case(separation: &[[f64; 2]], radius: f64, creepage: [f64; 3]) -> PlanarCase<
     PlanarCase {
         normal_model: NormalModel::Strips,
         tangential_model: TangentialModel::Marches,
+        strips: Parameters::default().strips,
         creepage,
         ..steel_case(separation, radius, 1e-4)
     }

@@ -43,14 +43,14 @@ pub const NORMAL: [Normal; 10] = [
     normal(NormalModel::Strips, 8),
     normal(NormalModel::Strips, 10),
     normal(NormalModel::Strips, 12),
-    normal(NormalModel::Strips, 16),
     normal(NormalModel::Strips, DEFAULT_NODES),
+    normal(NormalModel::Strips, 20),
     normal(NormalModel::Strips, 28),
     normal(NormalModel::Strips, 40),
 ];
 
 /// Nodes of the element as it starts.
-pub const DEFAULT_NODES: usize = 20;
+pub const DEFAULT_NODES: usize = 15;
 
 const fn rolling(
     model: TangentialModel,

@@ -23,7 +23,7 @@ const ELEMENTS: usize = 40;
 pub const SETTINGS: [Setting; 5] = [
     Setting { name: "by default", change: |_| (), is_slow: false },
     Setting {
-        name: "`strips` 20 + `fastsim_corrected`",
+        name: "`strips` 15 + `fastsim_corrected`",
         change: |p| p.tangential_model = TangentialModel::FastsimCorrected,
         is_slow: false,
     },

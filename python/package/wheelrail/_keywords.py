@@ -198,7 +198,7 @@ class ElementParameters(TypedDict, total=False):
     normal_damping: float
     """Normal contact damping at the reference stiffness [N.s/m]."""
     normal_strips: int
-    """Strips: for the model strips over all zones of a rail, at least 8; for the others across each zone."""
+    """Strips: for the model strips over all zones of a rail, at least 8; for the others across each zone, one more where it is odd."""
     normal_elements_along: int
     """Boundary elements along the extent of a contact; other models do not use it."""
     normal_elements_across: int
@@ -1109,7 +1109,7 @@ class WheelSetParameters(TypedDict, total=False):
     normal_damping: float
     """Normal contact damping at the reference stiffness [N.s/m]."""
     normal_strips: int
-    """Strips: for the model strips over all zones of a rail, at least 8; for the others across each zone."""
+    """Strips: for the model strips over all zones of a rail, at least 8; for the others across each zone, one more where it is odd."""
     normal_elements_along: int
     """Boundary elements along the extent of a contact; other models do not use it."""
     normal_elements_across: int

@@ -14,7 +14,7 @@ use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 use crate::normal::least_energy::{MIN_STRIPS, StripFollower, StripSolver};
 use crate::normal::uneven::UnevenStrips;
-use crate::normal::{Descent, NormalModel, ShapeFit, Strips};
+use crate::normal::{Descent, NormalModel, ShapeFit, Strips, strips_of_rule};
 use crate::tangential::{Settings, Tangential, TangentialModel};
 
 /// Most loaded zones of one contact frame, and of a rail where it has no contact frames: as many as
@@ -163,7 +163,7 @@ impl Models {
         let most_strips = if is_strips {
             StripSolver::most_nodes(parameters.strips)
         } else {
-            zones * parameters.strips
+            zones * strips_of_rule(parameters.strips)
         };
         let settings = Settings {
             flexibilities: parameters.flexibilities,
@@ -197,10 +197,12 @@ impl Models {
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,
             descent: None,
-            rule: GaussLegendre::new(parameters.strips),
+            rule: GaussLegendre::new(strips_of_rule(parameters.strips)),
             coarse: GaussLegendre::new(MIN_STRIPS),
             guessed: (!is_itself_guessed).then(|| rolling(TangentialModel::Fastsim)),
-            uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
+            uneven: parameters
+                .is_uneven()
+                .then(|| UnevenStrips::new(strips_of_rule(parameters.strips))),
             strips: Strips::with_capacity(zones, most_strips),
             strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
             rail_strips: if of_rail {

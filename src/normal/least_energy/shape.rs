@@ -2,7 +2,7 @@
 //! nodes.
 //!
 //! It is zero on an ellipse and varies over lengths of the order of the half length, so that a few
-//! numbers do: it is linear between knots, which stand every four steps of the measure of nodes on
+//! numbers do: it is linear between knots, which stand every three steps of the measure of nodes on
 //! both sides of its mean, but not at the ends of the overlaps, where nothing is loaded and the
 //! field is constant. A knot comes in with the value of its neighbour, to which a penalty ties it
 //! that falls from infinity: so all is continuous as the measure grows.
@@ -13,8 +13,8 @@ use crate::math::real::Real;
 
 /// Steps of the measure between knots, and from the outermost ones to the ends of the overlaps at
 /// least.
-const SPACING: f64 = 4.0;
-const END: f64 = 2.0;
+const SPACING: f64 = 3.0;
+const END: f64 = 1.5;
 /// What squared first and second differences between knots cost over the energy of the ellipse:
 /// they decide where there is no load.
 const PENALTIES: [f64; 2] = [1.2e-4, 1.8e-5];

@@ -5,7 +5,7 @@ use crate::error::ContactError;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::normal::boundary_element::{GridPressure, fill_rows, solve_on_grid};
-use crate::normal::{ElementPressure, NormalProblem, Strips};
+use crate::normal::{ElementPressure, NormalProblem, Strips, strips_of_rule};
 use crate::planar::line::PlanarLine;
 use crate::planar::{
     ELEMENT_APPROACH, Indentation, MAX_ZONES, PlanarCase, approach_for, press_together,
@@ -38,7 +38,7 @@ pub fn first_lattice(case: &PlanarCase) -> Result<Option<Lattice>, ContactError>
 pub fn press_on(lattice: &Lattice, case: &PlanarCase) -> Result<Option<Pressed>, ContactError> {
     let mut line = PlanarLine::new(case.separation);
     let (least, contact_y) = (line.least, line.contact);
-    let rule = GaussLegendre::new(case.strips);
+    let rule = GaussLegendre::new(strips_of_rule(case.strips));
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
     let probes = std::mem::take(&mut line.probes);
     let mut refused = None;

@@ -20,7 +20,7 @@ use crate::normal::hertz;
 use crate::normal::least_energy::{LinePlace, OverlapLine, StripSolver};
 
 /// Nodes of the normal problems: about those of an element as it starts.
-const NODES: RangeInclusive<usize> = 18..=22;
+const NODES: RangeInclusive<usize> = 13..=17;
 
 /// An ellipse and the memory to march through it.
 #[derive(Clone, Debug)]

@@ -29,7 +29,7 @@ super::entry::tolerances! {
     /// Strips against CONTACT on all planar cases, of one region and of two, by their number for a
     /// parabola: median and worst of normal force, greatest pressure and area [%]: what a user of the
     /// result does not see in the force, and a narrow lobe with few nodes in the worst.
-    PLANAR_20: [[f64; 2]; 3] = [[0.05, 0.5], [0.5, 7.0], [0.5, 4.0]];
+    PLANAR_15: [[f64; 2]; 3] = [[0.05, 0.5], [0.5, 7.0], [0.5, 4.0]];
 
     /// The same with forty: errors of interpolation fall to a quarter, those of the pressure by less.
     PLANAR_40: [[f64; 2]; 3] = [[0.02, 0.1], [0.5, 3.0], [0.5, 2.0]],

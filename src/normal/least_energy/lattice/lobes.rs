@@ -16,12 +16,12 @@ use crate::math::vectors::with_vectors;
 
 /// Steps of an interval. Two intervals that join have half of them each: with so many, and closer at
 /// the ends, forces jump by 1e-4 at most where they do.
-pub(super) const STEPS: usize = 48;
+pub(super) const STEPS: usize = 44;
 /// Places of an interval: where steps begin and end.
 pub(super) const PLACES: usize = STEPS + 1;
 /// How much closer to each other places are at the ends of an interval than in the mean, where the
 /// overlap is steep.
-const CLOSE: f64 = 0.7;
+const CLOSE: f64 = 0.6;
 /// Places over the length of their interval.
 pub(super) const AT: [f64; PLACES] = {
     let mut at = [0.0; PLACES];
