@@ -27,7 +27,7 @@
 //! t from that node on. Nodes at edges have less load than the ellipse there, which puts it h 0.17 (1 -
 //! r)⁴ further out, r the load per width of the outermost node over that of the one before it, h the
 //! width of the panel: fitted to ellipses of a/b 0.06 to 16. It lies no further out than the next node
-//! but for that.
+//! but for that, and at least h r: over a panel falls no more load than the node before has.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -337,9 +337,9 @@ fn edge_share<T: Real>(panel: T, own: [T; 3], base: [T; 3], next: [T; 3]) -> T {
     let distance = beyond / (line + root);
     let share = ((distance - outer) / panel).within(0.0, 1.0);
     let unequal = outer / panel + 1.0;
-    let rest = (-(own[1] / base[1]) * unequal * 0.5 + 1.0).at_least(0.0);
-    let square = rest * rest;
-    share + square * square * EDGE
+    let ratio = (own[1] / base[1] * unequal * 0.5).at_most(1.0);
+    let square = (-ratio + 1.0) * (-ratio + 1.0);
+    (share + square * square * EDGE).max(ratio)
 }
 
 /// What χ of a strip's own is more than the field, by the curvature of the displacement along it
