@@ -33,6 +33,7 @@ fn normal_element(normal_model: NormalModel) -> Element {
     let parameters = Parameters {
         normal_model,
         tangential_model: TangentialModel::None,
+        // What the bounds of jumps are of.
         strips: 20,
         ..Parameters::default()
     };

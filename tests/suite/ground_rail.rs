@@ -95,13 +95,11 @@ fn strips_on_narrow_ridges_carry_what_boundary_elements_do_and_more_the_deeper()
             let error = (found[k] / wanted - 1.0).abs();
             assert!(error <= tolerance::KINKED_FORCE, "{strips} strips: {error}");
         }
-        // With few nodes on a ridge the force wavers as they move over its kinks.
-        if strips == Parameters::default().strips {
-            continue;
-        }
+        let falls = found.windows(2).map(|pair| 1.0 - pair[1] / pair[0]);
+        let most_fall = falls.fold(0.0, f64::max);
+        println!("{strips} strips: falls by {most_fall:.1e}");
+        assert!(most_fall <= tolerance::KINKED_FALL, "{strips} strips: {most_fall}");
         for pair in found.windows(2) {
-            let fall = 1.0 - pair[1] / pair[0];
-            assert!(fall <= tolerance::KINKED_FALL, "{strips} strips: {fall}");
             let off = ((pair[1] - pair[0]) / STEP / stiffness - 1.0).abs();
             assert!(strips < 40 || off <= tolerance::KINKED_SLOPE, "{strips} strips: {off}");
         }

@@ -159,12 +159,10 @@ impl Models {
             (false, true) => (MAX_CONTACTS, 2 * MAX_ZONES),
             (false, false) => (MAX_CONTACTS, MAX_ZONES),
         };
+        let of_rule = strips_of_rule(parameters.strips);
         // Zones roll together, and strips and stretches of uneven bodies may all be in one zone.
-        let most_strips = if is_strips {
-            StripSolver::most_nodes(parameters.strips)
-        } else {
-            zones * strips_of_rule(parameters.strips)
-        };
+        let most_strips =
+            if is_strips { StripSolver::most_nodes(parameters.strips) } else { zones * of_rule };
         let settings = Settings {
             flexibilities: parameters.flexibilities,
             bound: parameters.bound,
@@ -197,12 +195,10 @@ impl Models {
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,
             descent: None,
-            rule: GaussLegendre::new(strips_of_rule(parameters.strips)),
+            rule: GaussLegendre::new(of_rule),
             coarse: GaussLegendre::new(MIN_STRIPS),
             guessed: (!is_itself_guessed).then(|| rolling(TangentialModel::Fastsim)),
-            uneven: parameters
-                .is_uneven()
-                .then(|| UnevenStrips::new(strips_of_rule(parameters.strips))),
+            uneven: parameters.is_uneven().then(|| UnevenStrips::new(of_rule)),
             strips: Strips::with_capacity(zones, most_strips),
             strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
             rail_strips: if of_rail {

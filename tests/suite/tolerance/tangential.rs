@@ -107,8 +107,8 @@ super::entry::tolerances! {
     MARCHES_POSITIONS: [f64; 3] = [0.0045, 0.012, 0.04];
 
     /// The same, spin moment over the limit times c, mean, and frictional power over itself at 95 %:
-    /// a fifth of the states are of one position with two lobes, where fifteen strips are 2 to 5 %
-    /// too long and spin has as much more power.
+    /// a fifth of the states are of one position with two lobes of unlike width, where fifteen strips
+    /// are too long and spin has too much power.
     MARCHES_POSITIONS_OTHERS: [f64; 2] = [0.005, 0.025], target [0.005, 0.015];
 
     /// Marches against boundary elements all over three pairs of profiles, force over the friction
