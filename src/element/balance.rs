@@ -42,9 +42,9 @@ pub(crate) const LONGEST: f64 = 0.5;
 const WRONG: [f64; 2] = [1e-3, 0.05];
 /// The same that normals turn by on the way, over the square of the slope across of the contact.
 const TURNING: f64 = 0.1;
-/// Share that forces are wrong by of what two poses tell that more load changes, as cells begin to
-/// slip between them; and of what the geometry of both changes, which goes with it.
-const BENT: [f64; 2] = [1e-2, 3e-3];
+/// Share that forces are wrong by of what two poses tell that more load and more way change, beside
+/// how far they are apart: as cells begin to slip between them, and as nodes of strips move.
+const BENT: [f64; 2] = [1e-3, 5e-3];
 
 /// A pose, and what its geometry led to.
 #[derive(Clone, Copy, Debug)]
@@ -248,10 +248,13 @@ impl Balance {
         let Self { held: Held { load, lateral_stiffness }, last, depth, .. } = self;
         let missing = load - last.vertical;
         let part = missing / (last.vertical - before.vertical);
-        let moved = part * (last.z - before.z) / depth;
-        let bent = BENT[0] * (missing / load).abs() + BENT[1] * moved.abs();
-        let misplaced = if last.is_lowered { self.misplaced() } else { 0.0 };
-        let is_told = misplaced.max(bent * self.steep()) <= MISPLACED;
+        let apart = (last.z - before.z).abs() / depth;
+        let further = (missing / load).abs() + part.abs() * apart;
+        let [own, moving] = BENT;
+        let (bent, misplaced) =
+            if last.is_lowered { (moving, self.misplaced()) } else { (own, 0.0) };
+        let bent = (bent + apart) * further * self.steep();
+        let is_told = misplaced.max(bent) <= MISPLACED;
         (part.is_finite() && is_told && lateral_stiffness.is_none()).then_some(part)
     }
 

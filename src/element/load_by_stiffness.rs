@@ -22,7 +22,7 @@ use crate::normal::{Descent, Pose, way_between};
 const FAR: f64 = 3.0;
 /// Way over that depth up to which an overlap tells how strips would press farther down: a thirtieth
 /// of its square or so is left of it, about as much as friction bears on a tread.
-const NEAR: f64 = 0.1;
+const NEAR: f64 = 0.7;
 /// Most guesses of how far rails without mass are aside: on flanges forces fall steeply as they go.
 const MOST_GUESSES: usize = 6;
 

@@ -21,6 +21,8 @@ use crate::tangential::{Settings, Tangential, TangentialModel};
 /// it may have overlaps.
 const MAX_ZONES: usize = 8;
 const MAX_RAIL_ZONES: usize = 32;
+/// Elements along a zone where its creep force is only guessed.
+const GUESSED_ALONG: usize = 8;
 
 /// The chosen models and their scratch memory, shared by the rails of an element; with derivatives
 /// where the numbers have them.
@@ -170,14 +172,18 @@ impl Models {
             elements: parameters.normal_elements,
             strips: most_strips,
         };
-        let rolling = |model| {
-            Tangential::new(model, &settings)
+        let rolling = |model, settings| {
+            Tangential::new(model, settings)
                 .with_laws([parameters.friction_law, parameters.gauge_face_law])
                 .with_flash_temperature(parameters.flash_temperature)
         };
+        let few = Settings {
+            elements_along: parameters.elements_along.min(GUESSED_ALONG),
+            ..settings
+        };
         let is_itself_guessed = matches!(
             parameters.tangential_model,
-            TangentialModel::None | TangentialModel::Linear | TangentialModel::Fastsim
+            TangentialModel::None | TangentialModel::Linear
         );
         Self {
             normal: parameters.normal_model,
@@ -188,7 +194,7 @@ impl Models {
                 // A given load is that of a wheel at rest on its rails.
                 VerticalMode::Load => 0.0,
             },
-            tangential: rolling(parameters.tangential_model),
+            tangential: rolling(parameters.tangential_model, &settings),
             creepage: parameters.creepage_model,
             rolling: RollingZones::with_capacity(zones, most_strips),
             minimum_speed: parameters.minimum_speed,
@@ -197,7 +203,7 @@ impl Models {
             descent: None,
             rule: GaussLegendre::new(of_rule),
             coarse: GaussLegendre::new(MIN_STRIPS),
-            guessed: (!is_itself_guessed).then(|| rolling(TangentialModel::Fastsim)),
+            guessed: (!is_itself_guessed).then(|| rolling(TangentialModel::Fastsim, &few)),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(of_rule)),
             strips: Strips::with_capacity(zones, most_strips),
             strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),

@@ -149,7 +149,7 @@ impl RailContact {
                 for index in 0..search.contacts.len() {
                     let cosine = descent.cosine(search.contacts[index].tangent);
                     let deeper = descent.way * cosine;
-                    let pressed = press(&line, rail, search, index, normal, deeper, models);
+                    let pressed = press(&line, rail, search, index, (normal, Rule::Coarse), deeper, models);
                     reached += models.strips.load() * cosine;
                     deepest =
                         deepest.max((pressed.contact.penetration + deeper) / cosine.max(STEEPEST));
@@ -167,7 +167,7 @@ impl RailContact {
             let deeper = descent.way * descent.cosine(search.contacts[index].tangent);
             let pressed = there
                 .take()
-                .unwrap_or_else(|| press(&line, rail, search, index, normal, deeper, models));
+                .unwrap_or_else(|| press(&line, rail, search, index, (normal, Rule::Coarse), deeper, models));
             let forces = ContactSetup {
                 k,
                 input,
@@ -240,7 +240,7 @@ impl RailContact {
         }
         for index in 0..self.search.contacts.len() {
             let (rail, search) = (&self.rail, &mut self.search);
-            let pressed = press(&line, rail, search, index, models.normal, 0.0, models);
+            let pressed = press(&line, rail, search, index, (models.normal, Rule::Asked), 0.0, models);
             let Pressed { contact, mut separation, waves, no_room } = pressed;
             left_out += no_room as u64;
             let forces = ContactSetup { waves, ..forces(contact, Damped::Alone) };
@@ -248,6 +248,15 @@ impl RailContact {
         }
         left_out
     }
+}
+
+/// How many strips a zone has.
+#[derive(Clone, Copy, Debug)]
+enum Rule {
+    /// As many as the model is asked for.
+    Asked,
+    /// Enough for a guess.
+    Coarse,
 }
 
 /// One contact with its loaded zones in `models.strips`.
@@ -261,13 +270,13 @@ struct Pressed<'a> {
 }
 
 /// Solves for the zones of contact number `index` of `search` into `models.strips` by the model
-/// `normal`, with so much more approach than its penetration, `deeper` [m].
+/// `normal` with the strips of `rule`, and so much more approach than its penetration, `deeper` [m].
 fn press<'a>(
     line: &'a ContactLine,
     rail: &'a PlacedRail,
     search: &mut ContactSearch,
     index: usize,
-    normal: NormalModel,
+    (normal, rule): (NormalModel, Rule),
     deeper: f64,
     models: &mut Models,
 ) -> Pressed<'a> {
@@ -284,7 +293,10 @@ fn press<'a>(
         contact_modulus: models.material.contact_modulus,
         contact_u: contact.u,
         lateral_curvature: line.curvature(contact.u) + rail.curvature(contact.rail_s),
-        rule: if normal == models.normal { &models.rule } else { &models.coarse },
+        rule: match rule {
+            Rule::Asked => &models.rule,
+            Rule::Coarse => &models.coarse,
+        },
         elements: models.elements,
     };
     let probes = &search.probes[contact.probes[0]..contact.probes[1]];
