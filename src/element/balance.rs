@@ -43,7 +43,8 @@ const WRONG: [f64; 2] = [1e-3, 0.05];
 /// The same that normals turn by on the way, over the square of the slope across of the contact.
 const TURNING: f64 = 0.1;
 /// Share that forces are wrong by of what two poses tell that more load and more way change, beside
-/// how far they are apart: as cells begin to slip between them, and as nodes of strips move.
+/// how far they are apart: as cells begin to slip between them, and as nodes of strips move or an axle
+/// turns.
 const BENT: [f64; 2] = [1e-3, 5e-3];
 
 /// A pose, and what its geometry led to.
@@ -242,18 +243,18 @@ impl Balance {
     }
 
     /// How far all forces have to go on beyond the last pose, over what changed from the one `before`
-    /// to it, for the load to be carried; nothing where that is too far to be told by both, or where
-    /// rails yield, which these do not tell of.
-    pub fn further(&self, before: &Placed) -> Option<f64> {
+    /// to it, for the load to be carried, where only height and load moved, or an axle `turns` with
+    /// them; nothing where that is too far to be told by both, or where rails yield, which these do
+    /// not tell of.
+    pub fn further(&self, before: &Placed, turns: bool) -> Option<f64> {
         let Self { held: Held { load, lateral_stiffness }, last, depth, .. } = self;
         let missing = load - last.vertical;
         let part = missing / (last.vertical - before.vertical);
         let apart = (last.z - before.z).abs() / depth;
         let further = (missing / load).abs() + part.abs() * apart;
-        let [own, moving] = BENT;
-        let (bent, misplaced) =
-            if last.is_lowered { (moving, self.misplaced()) } else { (own, 0.0) };
+        let bent = BENT[usize::from(last.is_lowered || turns)];
         let bent = (bent + apart) * further * self.steep();
+        let misplaced = if last.is_lowered { self.misplaced() } else { 0.0 };
         let is_told = misplaced.max(bent) <= MISPLACED;
         (part.is_finite() && is_told && lateral_stiffness.is_none()).then_some(part)
     }

@@ -177,7 +177,7 @@ impl Element {
             if to == To::TheEnd {
                 let Self { models, pose_forces, .. } = self;
                 let last = before.replace(here).filter(|last| last.left_out + left_out == 0);
-                let further = last.and_then(|last| Some((last, balance.further(&last)?)));
+                let further = last.and_then(|last| Some((last, balance.further(&last, false)?)));
                 if let Some((last, part)) = further
                     && pose_forces.go_on(part, output, &mut models.patches)
                 {

@@ -98,7 +98,7 @@ impl BothWheels {
     /// one before to it, for its load to be carried; nothing where both do not tell.
     pub fn further(&self, k: usize) -> Option<f64> {
         let wheel = &self.wheels[k];
-        wheel.balance.further(&wheel.before?)
+        wheel.balance.further(&wheel.before?, true)
     }
 
     /// Puts the wheelset of `input` where nothing would be left, and what is then known of both

@@ -24,9 +24,9 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
-/// What the step beyond the last pose may leave of the balances, over loads and their depths: 1e-14 m
+/// What the step beyond the last pose may leave of the balances, over loads and their depths: 3e-15 m
 /// of the heights, by which the roll fits both. A side whose forces are not known then finds its own.
-const LEFT_NEXT: f64 = 1e-10;
+const LEFT_NEXT: f64 = 3e-11;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 

@@ -177,14 +177,10 @@ impl Models {
                 .with_laws([parameters.friction_law, parameters.gauge_face_law])
                 .with_flash_temperature(parameters.flash_temperature)
         };
-        let few = Settings {
-            elements_along: parameters.elements_along.min(GUESSED_ALONG),
-            ..settings
-        };
-        let is_itself_guessed = matches!(
-            parameters.tangential_model,
-            TangentialModel::None | TangentialModel::Linear
-        );
+        let few =
+            Settings { elements_along: parameters.elements_along.min(GUESSED_ALONG), ..settings };
+        let is_itself_guessed =
+            matches!(parameters.tangential_model, TangentialModel::None | TangentialModel::Linear);
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,

@@ -149,7 +149,8 @@ impl RailContact {
                 for index in 0..search.contacts.len() {
                     let cosine = descent.cosine(search.contacts[index].tangent);
                     let deeper = descent.way * cosine;
-                    let pressed = press(&line, rail, search, index, (normal, Rule::Coarse), deeper, models);
+                    let pressed =
+                        press(&line, rail, search, index, (normal, Rule::Coarse), deeper, models);
                     reached += models.strips.load() * cosine;
                     deepest =
                         deepest.max((pressed.contact.penetration + deeper) / cosine.max(STEEPEST));
@@ -165,9 +166,9 @@ impl RailContact {
         let mut there = last.filter(|_| search.contacts.len() == 1);
         for index in 0..search.contacts.len() {
             let deeper = descent.way * descent.cosine(search.contacts[index].tangent);
-            let pressed = there
-                .take()
-                .unwrap_or_else(|| press(&line, rail, search, index, (normal, Rule::Coarse), deeper, models));
+            let pressed = there.take().unwrap_or_else(|| {
+                press(&line, rail, search, index, (normal, Rule::Coarse), deeper, models)
+            });
             let forces = ContactSetup {
                 k,
                 input,
@@ -240,7 +241,8 @@ impl RailContact {
         }
         for index in 0..self.search.contacts.len() {
             let (rail, search) = (&self.rail, &mut self.search);
-            let pressed = press(&line, rail, search, index, (models.normal, Rule::Asked), 0.0, models);
+            let pressed =
+                press(&line, rail, search, index, (models.normal, Rule::Asked), 0.0, models);
             let Pressed { contact, mut separation, waves, no_room } = pressed;
             left_out += no_room as u64;
             let forces = ContactSetup { waves, ..forces(contact, Damped::Alone) };
