@@ -21,8 +21,11 @@ use crate::normal::{Descent, Pose, way_between};
 /// Depth over that of the load about from which on a pose is too far for a guess.
 const FAR: f64 = 3.0;
 /// Way over that depth up to which an overlap tells how strips would press farther down: a thirtieth
-/// of its square or so is left of it, about as much as friction bears on a tread.
+/// of its square or so is left of it, little enough for the first pose.
 const NEAR: f64 = 0.7;
+/// Way aside over that depth that a guess of how far rails without mass are aside may be off: about as
+/// much as friction bears on a tread.
+const NEAR_ASIDE: f64 = 0.1;
 /// Most guesses of how far rails without mass are aside: on flanges forces fall steeply as they go.
 const MOST_GUESSES: usize = 6;
 
@@ -258,7 +261,7 @@ impl Element {
             let at_once = guessed.map_or(to, |(_, at_once)| at_once);
             guessed = Some((about, at_once));
             let left = to - aside;
-            if left.abs() <= NEAR * held.load / about.stiffness {
+            if left.abs() <= NEAR_ASIDE * held.load / about.stiffness {
                 break;
             }
             let share = before.map_or(1.0, |[y, before]| (aside - y) / (before - left));
