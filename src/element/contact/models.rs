@@ -55,7 +55,7 @@ pub struct Models<T = f64> {
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
     /// The same where a force is only guessed, and then the tangential model if it is another one:
-    /// FASTSIM, which costs no more than any with a bound.
+    /// FASTSIM with few elements, which costs no more than any with a bound.
     pub coarse: GaussLegendre,
     pub guessed: Option<Tangential>,
     /// Loaded zones of the contact under way.
