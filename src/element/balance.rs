@@ -46,6 +46,9 @@ const TURNING: f64 = 0.1;
 /// how far they are apart: as cells begin to slip between them, and as nodes of strips move or an axle
 /// turns.
 const BENT: [f64; 2] = [1e-3, 5e-3];
+/// Most of the way between two poses that forces go on beyond the last one: where the poses are about
+/// as far from the load, their forces differ by other things, of which as much would go on.
+const MOST_FURTHER: f64 = 0.05;
 
 /// A pose, and what its geometry led to.
 #[derive(Clone, Copy, Debug)]
@@ -255,8 +258,8 @@ impl Balance {
         let bent = BENT[usize::from(last.is_lowered || turns)];
         let bent = (bent + apart) * further * self.steep();
         let misplaced = if last.is_lowered { self.misplaced() } else { 0.0 };
-        let is_told = misplaced.max(bent) <= MISPLACED;
-        (part.is_finite() && is_told && lateral_stiffness.is_none()).then_some(part)
+        let is_told = part.abs() <= MOST_FURTHER && misplaced.max(bent) <= MISPLACED;
+        (is_told && lateral_stiffness.is_none()).then_some(part)
     }
 
     /// Whether no load is missing there.

@@ -33,7 +33,7 @@ fn normal_element(normal_model: NormalModel) -> Element {
     let parameters = Parameters {
         normal_model,
         tangential_model: TangentialModel::None,
-        // What the bounds of jumps are of.
+        // The bounds of jumps are those of twenty strips.
         strips: 20,
         ..Parameters::default()
     };

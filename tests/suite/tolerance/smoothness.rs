@@ -68,10 +68,6 @@ super::entry::tolerances! {
     /// unit and input, random poses, by model: rounding of the differences.
     DERIVATIVES: f64 = 1e-6;
 
-    /// The same of wheelsets under given loads: differences over 1e-6 m of forces that are met to 1e-10
-    /// of a load of 9e4 N are off by three times that over the step, 27 N/m of 6e6.
-    DERIVATIVES_UNDER_LOAD: f64 = 4.5e-6;
-
     /// Derivatives backwards by the inputs against those forwards, both of a weighted sum of all
     /// outputs, over the greatest that any input does over a usual range: rounding of some 1e5
     /// operations.
