@@ -73,27 +73,6 @@ impl Function<9, 3> for Along {
     }
 }
 
-/// The value without derivatives.
-fn value<T: Real>(sample: &Sample<T>) -> Sample<f64> {
-    let &Sample { at, interval, slope, rate, integrals } = sample;
-    let LinePlace { u, y, dy, overlap, overlap_slope, x, tangent } = at;
-    Sample {
-        at: LinePlace {
-            u: u.value(),
-            y: y.value(),
-            dy: dy.value(),
-            overlap: overlap.value(),
-            overlap_slope: overlap_slope.value(),
-            x: x.value(),
-            tangent: tangent.map(T::value),
-        },
-        interval,
-        slope: slope.map(T::value),
-        rate: rate.map(T::value),
-        integrals: integrals.map(T::value),
-    }
-}
-
 /// What two samples say of the place at the share `t` of the way: overlap and parameter of the line
 /// are cubics.
 pub(super) fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> {
@@ -124,7 +103,35 @@ pub(super) fn radius<T: Real>(
     line.radius(&LinePlace { u, ..at })
 }
 
+/// What both ends of a step say of the place across that was found in its middle.
+fn expected<T: Real>([from, found, to]: [&Sample<T>; 3]) -> Sample<T> {
+    between(from, to, (found.at.y - from.at.y) / (to.at.y - from.at.y))
+}
+
+/// How far the overlap found in the middle of a step is from what both ends say, over the step [m²];
+/// of three samples what [`Sample::overlap`] says.
+fn off<T: Real>([from, found, to]: [[T; 4]; 3]) -> T {
+    let ([from, a, _, a_slope], [at, overlap, ..], [to, b, b_slope, _]) = (from, found, to);
+    let h = to - from;
+    let none = T::from(0.0);
+    let [expected, ..] =
+        T::as_whole([from, to, a, b, a_slope, b_slope, none, none, (at - from) / h], &Between);
+    (expected - overlap).abs() * h
+}
+
 impl<T: Real> Sample<T> {
+    /// The sample at such a place of interval number `interval`.
+    fn of(at: LinePlace<T>, interval: usize) -> Self {
+        let rate = T::from(1.0) / at.dy;
+        let (slope, rate) = ([at.overlap_slope * rate; 2], [rate; 2]);
+        Self { at, interval, slope, rate, integrals: [T::from(0.0); 2] }
+    }
+
+    /// Its place across, and the overlap there with both slopes.
+    fn overlap(&self) -> [T; 4] {
+        [self.at.y, self.at.overlap, self.slope[0], self.slope[1]]
+    }
+
     /// This one, `weight` of the way towards another one of the same place across.
     fn towards(&self, other: &Self, weight: T) -> Self {
         let mix = |a: T, b: T| a + (b - a) * weight;
@@ -152,22 +159,19 @@ impl<T: Real> Lattice<T> {
     ) {
         let zero = T::from(0.0);
         let [from, to] = [0, 1].map(|side| ends[side].moving(line));
-        let mut take = |u: T, is_end: bool| {
-            let mut at = line.place(u);
-            // Where an overlap ends there is none, to rounding: its powers would feel that.
-            if is_end {
-                at.overlap = zero;
-            }
-            let rate = T::from(1.0) / at.dy;
-            let (slope, rate) = ([at.overlap_slope * rate; 2], [rate; 2]);
-            Sample { at, interval, slope, rate, integrals: [zero; 2] }
-        };
         // Beyond the last interval there is no room for.
         if self.samples.len() + 2 * STEPS >= self.samples.capacity() {
             return;
         }
         let first = self.samples.len();
-        let ends_taken = [take(from, ends[0].is_free), take(to, ends[1].is_free)];
+        let ends_taken = [(from, ends[0]), (to, ends[1])].map(|(u, end)| {
+            let mut at = line.place(u);
+            // Where an overlap ends there is none, to rounding: its powers would feel that.
+            if end.is_free {
+                at.overlap = zero;
+            }
+            Sample::of(at, interval)
+        });
         let width = ends_taken[1].at.y - ends_taken[0].at.y;
         let slopes = ends_taken[0].slope[1].abs() + ends_taken[1].slope[0].abs();
         // Where all of the overlap is rounding steps would be halved without end.
@@ -176,9 +180,12 @@ impl<T: Real> Lattice<T> {
         self.is_folded = false;
         for k in 1..=STEPS {
             let share = k as f64 / STEPS as f64;
-            let to =
-                if k < STEPS { take(from + (to - from) * share, false) } else { ends_taken[1] };
-            self.go_to(&mut take, to, most, [T::from(1.0), T::from(MAX_HALVINGS)]);
+            let to = if k < STEPS {
+                Sample::of(line.place(from + (to - from) * share), interval)
+            } else {
+                ends_taken[1]
+            };
+            self.go_to(line, to, most, [T::from(1.0), T::from(MAX_HALVINGS)]);
         }
         let [low, high] = [self.samples[first].at.y, self.samples[self.samples.len() - 1].at.y];
         if self.samples.len() - first < 2 {
@@ -214,66 +221,35 @@ impl<T: Real> Lattice<T> {
         }
     }
 
-    /// Takes the places up to `to`, the step halved up to `halvings` times. What the place in its
-    /// middle says beside what both ends say has the weight `weight`, so that places come and go
-    /// without a jump.
+    /// Takes the places up to `to`, the step halved up to `halvings` times. What is found in its
+    /// middle has the `weight` beside what both ends say, so that places come and go without a jump.
     fn go_to(
         &mut self,
-        take: &mut impl FnMut(T, bool) -> Sample<T>,
+        line: &mut impl OverlapLine<T>,
         to: Sample<T>,
         most: T,
         [weight, halvings]: [T; 2],
     ) {
         let from = self.samples[self.samples.len() - 1];
-        let found = take((from.at.u + to.at.u) * 0.5, false);
-        let h = to.at.y - from.at.y;
-        if T::IS_BACKWARD && weight >= 1.0 {
-            let steps = [most, halvings].map(T::value);
-            if let Some(middle) = self.settled([&from, &found, &to], steps) {
-                self.push(middle);
-                self.push(to);
-                return;
-            }
-        }
-        let expected = between(&from, &to, (found.at.y - from.at.y) / h);
-        let middle = expected.towards(&found, weight);
-        let error = (expected.at.overlap - found.at.overlap).abs() * h / most - 1.0;
+        let found = Sample::of(line.place((from.at.u + to.at.u) * 0.5), to.interval);
+        let step = [&from, &found, &to];
+        let is_whole = weight.value() >= 1.0;
         let has_room = self.samples.len() + 2 * STEPS < self.samples.capacity();
-        if error > 0.0 && halvings > 0.0 && has_room {
-            let error = error.at_most(1.0);
-            let weight = weight * error * error * (error * -2.0 + 3.0);
-            let halves = [weight, halvings - 1.0];
-            self.go_to(take, middle, most, halves);
-            self.go_to(take, to, most, halves);
-        } else {
+        let is_halved = halvings.value() > 0.0
+            && has_room
+            && off(step.map(|sample| sample.overlap().map(T::value))) > most.value();
+        // What counts wholly is what was found.
+        let middle = if is_whole { found } else { expected(step).towards(&found, weight) };
+        if !is_halved {
             self.push(middle);
             self.push(to);
+            return;
         }
-    }
-
-    /// The middle of a step that is not halved in [`go_to`](Self::go_to) and where all that was
-    /// `found` counts: it moves like that.
-    fn settled(&self, step: [&Sample<T>; 3], [most, halvings]: [f64; 2]) -> Option<Sample<T>> {
-        let [from, found, to] = step.map(value);
-        let h = to.at.y - from.at.y;
-        let expected = between(&from, &to, (found.at.y - from.at.y) / h);
-        let error = (expected.at.overlap - found.at.overlap).abs() * h / most - 1.0;
-        let has_room = self.samples.len() + 2 * STEPS < self.samples.capacity();
-        if error > 0.0 && halvings > 0.0 && has_room {
-            return None;
-        }
-        // To the last digit that of plain numbers.
-        let Sample { at, slope, rate, .. } = expected.towards(&found, 1.0);
-        let own = step[1];
-        let both = |values: [f64; 2], own: [T; 2]| [0, 1].map(|i| T::moving(values[i], own[i]));
-        let at = LinePlace {
-            u: T::moving(at.u, own.at.u),
-            overlap: T::moving(at.overlap, own.at.overlap),
-            x: T::moving(at.x, own.at.x),
-            tangent: both(at.tangent, own.at.tangent),
-            ..own.at
-        };
-        Some(Sample { at, slope: both(slope, own.slope), rate: both(rate, own.rate), ..*own })
+        let error = (off(step.map(Sample::overlap)) / most - 1.0).at_most(1.0);
+        let weight = weight * error * error * (error * -2.0 + 3.0);
+        let halves = [weight, halvings - 1.0];
+        self.go_to(line, middle, most, halves);
+        self.go_to(line, to, most, halves);
     }
 
     /// Adds a sample with the integrals up to it. Where the line folds, what lies behind is passed
