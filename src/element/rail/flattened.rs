@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::element::contact::contact_setup::ContactSetup;
 use crate::element::contact::rail_walk::RailPlace;
 use crate::friction::StripFriction;
+use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::separation::Separation;
 use crate::kinematics::creepage::rolling_speed;
@@ -18,7 +19,7 @@ pub struct FlatContact {
     pub rail: i32,
     /// Contact angle; negative on the right tread [rad].
     pub contact_angle: f64,
-    /// Contact point in the track frame, y and z [m].
+    /// Contact point of the wheel in the track frame, y and z [m].
     pub position: [f64; 2],
     /// Separation f from the contact point: points (y, f), y growing [m].
     pub separation: Vec<[f64; 2]>,
@@ -61,7 +62,9 @@ impl ContactSetup<'_> {
     ) -> FlatContact {
         let (wheel, motion) = (&self.input.wheel, self.motion());
         let axes = self.axes();
-        let place = self.track_point(self.line.at(self.contact.u).x, 0.0, 0.0);
+        // On the wheel, as the creepage of a zone is: a tenth of a millimetre counts in free rolling.
+        let Contact { u, .. } = self.contact;
+        let place = self.track_point(self.line.at(u).x, 0.0, self.depth(u));
         let speed = rolling_speed(
             self.forward() - motion.roller_speed(place),
             wheel.pitch_rate,
