@@ -103,10 +103,11 @@ fn files_with_peculiarities_give_the_profile_that_is_meant() {
         ("up.txt", lines(&scaled(&rail, 1.0, -1.0)), &["mirrored in z"]),
         ("reversed.txt", lines(&rail.iter().rev().copied().collect::<Vec<_>>()), &[]),
     ];
-    let wheels: [(&str, String, &[&str]); 3] = [
+    let wheels: [(&str, String, &[&str]); 4] = [
         ("up.txt", lines(&scaled(&wheel, 1.0, -1.0)), &["mirrored in z"]),
         ("flange.txt", lines(&scaled(&wheel, -1.0, 1.0)), &["mirrored in y"]),
         ("flange.prw", simpack(1, mm, &lines(&scaled(&wheel, -1.0, 1.0))), &["mirrored in y"]),
+        ("turned.txt", lines(&scaled(&wheel, -1.0, -1.0)), &["mirrored in z", "mirrored in y"]),
     ];
     let all = rails
         .iter()

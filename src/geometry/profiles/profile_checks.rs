@@ -23,6 +23,9 @@ const NARROWEST_WHEEL: f64 = 0.03;
 const NARROWEST_RAIL: f64 = 0.015;
 /// Distance of the running circle from the end of a wheel below which it is at the edge [m].
 const EDGE: f64 = 0.008;
+/// Height of the running circle over the nominal one beyond which its zero is another [m]: wheels are
+/// turned before they are worn so far.
+const WORN_AWAY: f64 = 0.010;
 /// How far around the running circle its slope is taken [m], and the steepest slope of a tread [-].
 const AROUND: f64 = 0.003;
 const STEEPEST_TREAD: f64 = 0.4;
@@ -107,6 +110,18 @@ fn wheel_orientation(profile: &ProfilePoints) -> Result<Option<Mirror>, ProfileE
     let flange_up = on_flange_side
         .filter(|p| is_up(p) && p.point[0] > y[0] + RIM_FACE)
         .filter(|_| !on_field_side.is_some_and(is_up));
+    // Or on the field side, where both are to be mirrored; a roller may be cut off at one side, but is
+    // steep nowhere.
+    let is_inside = |p: &FilePoint| p.point[0] < y[1] - RIM_FACE;
+    let is_steep = |pair: &[FilePoint]| {
+        let [across, down] = [0, 1].map(|axis| (pair[1].point[axis] - pair[0].point[axis]).abs());
+        is_inside(&pair[1]) && down > across
+    };
+    let flange_up = flange_up.or_else(|| {
+        on_field_side
+            .filter(|p| is_up(p) && is_inside(p) && points[centre..].windows(2).any(is_steep))
+            .filter(|_| on_flange_side.is_none_or(|p| !is_up(p) && p.point[0] <= y[0] + RIM_FACE))
+    });
     if let Some(p) = flange_up {
         let what = "the flange goes to negative z, and z is positive down";
         return Ok(Some(Mirror { axis: 1, line: p.line, what }));
@@ -175,6 +190,12 @@ pub(crate) fn unlikely(profile: &ProfilePoints, kind: ProfileKind) -> Option<Str
     let around: Vec<_> =
         points.iter().filter(|p| p.point[0].abs() < AROUND).map(|p| p.point).collect();
     let [first, last] = [around.first()?, around.last()?];
+    let height = 1e3 * points.iter().find(|p| p.point[0] >= 0.0)?.point[1];
+    if height.abs() > 1e3 * WORN_AWAY {
+        return Some(format!(
+            "z = {height:.1} mm at y = 0, where the rolling radius is the nominal one and z more: z counts from the nominal running circle"
+        ));
+    }
     let slope = (last[1] - first[1]) / (last[0] - first[0]).max(f64::MIN_POSITIVE);
     (slope.abs() > STEEPEST_TREAD).then(|| {
         format!(
