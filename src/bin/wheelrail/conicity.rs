@@ -1,12 +1,12 @@
 //! `wheelrail conicity`: rolling radius difference and equivalent conicity of a wheelset.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use clap::Args;
 use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset};
 
-use crate::options::{ContactOptions, check_positive};
+use crate::options::{ContactOptions, Pair, check_positive};
 use crate::remarks::{Found, Remarks};
 use crate::{figures, output};
 
@@ -49,10 +49,10 @@ const REFERENCE_AMPLITUDE: f64 = 3e-3;
 /// Computes the table and, if asked for, draws the figure.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
-    let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];
-    let outputs = [arguments.output.as_deref(), arguments.figure.as_deref()];
-    output::check_names(profiles.map(Path::new), outputs)?;
     let values = arguments.contact.shared_values()?;
+    let pair = Pair::of(&values.parameters);
+    let outputs = [arguments.output.as_deref(), arguments.figure.as_deref()];
+    output::check_names(pair.profiles(), outputs)?;
     let here = [PathBuf::from(".")];
     let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &here)?;
     Remarks::default().tell(&Found::default().with_profiles(wheelset.profile_remarks().to_vec()));
@@ -69,12 +69,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     table.finish()?;
     if let Some(path) = &arguments.figure {
-        let contact = &arguments.contact;
         let curve: Vec<[f64; 2]> = radii
             .iter()
             .filter_map(|one| Some([one.displacement, conicity(one.displacement)?]))
             .collect();
-        let title = format!("{}, inclination {}", contact.profiles(), contact.inclination);
+        let title = format!("{pair}, inclination {}", pair.inclination);
         figures::conicity::draw(path, &title, difference.points(), &curve)?;
     }
     if arguments.output.is_some() {

@@ -1,9 +1,11 @@
 //! Options that several commands share.
 
-use std::path::PathBuf;
+use std::fmt;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
+use wheelrail::element::Parameters;
 use wheelrail::subsurface::Body;
 use wheelrail::variables::{Causality, Values, find};
 
@@ -38,15 +40,16 @@ impl Of {
 /// What touches what; its help is shown with that of the commands that run a wheelset.
 #[derive(Args, Debug)]
 pub struct ContactOptions {
-    /// Profile of both wheels: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
-    pub wheel_profile: String,
-    /// Profile of both rails: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
-    pub rail_profile: String,
-    /// Inclination of the rails: 0.025 is 1:40
-    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
-    pub inclination: f64,
+    /// Profile of both wheels: built-in name or file; without it S1002, or what a unit was packed
+    /// with
+    #[arg(long, value_name = "PROFILE", help_heading = "Contact")]
+    wheel_profile: Option<String>,
+    /// Profile of both rails: built-in name or file; without it 60E1, or what a unit was packed with
+    #[arg(long, value_name = "PROFILE", help_heading = "Contact")]
+    rail_profile: Option<String>,
+    /// Inclination of the rails: 0.025 is 1:40; without it 0.025, or what a unit was packed with
+    #[arg(long, value_name = "TANGENT", help_heading = "Contact")]
+    inclination: Option<f64>,
     /// Set any other parameter of both wheels (for simulate any input too), such as track.gauge;
     /// may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
@@ -59,9 +62,9 @@ impl ContactOptions {
         let named = [
             ("wheel.profile", self.wheel_profile.clone()),
             ("rail[1].profile", self.rail_profile.clone()),
-            ("rail[1].inclination", self.inclination.to_string()),
+            ("rail[1].inclination", self.inclination.map(|inclination| inclination.to_string())),
         ];
-        let named = named.into_iter().map(|(name, value)| (name.into(), value));
+        let named = named.into_iter().filter_map(|(name, value)| Some((name.into(), value?)));
         named.chain(self.settings.iter().cloned()).collect()
     }
 
@@ -77,10 +80,37 @@ impl ContactOptions {
         }
         Ok(values)
     }
+}
 
-    /// The pair, for titles.
-    pub fn profiles(&self) -> String {
-        format!("{} on {}", self.wheel_profile, self.rail_profile)
+/// What touches what, for titles.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    pub wheel_profile: String,
+    pub rail_profile: String,
+    /// Tangent of the inclination of the rail [-].
+    pub inclination: f64,
+}
+
+impl Pair {
+    /// That of these parameters.
+    pub fn of(parameters: &Parameters) -> Self {
+        let rail = &parameters.rails[0];
+        Self {
+            wheel_profile: parameters.wheel.profile.clone(),
+            rail_profile: rail.profile.clone(),
+            inclination: rail.inclination,
+        }
+    }
+
+    /// The files or built-in profiles.
+    pub fn profiles(&self) -> [&Path; 2] {
+        [&self.wheel_profile, &self.rail_profile].map(Path::new)
+    }
+}
+
+impl fmt::Display for Pair {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} on {}", self.wheel_profile, self.rail_profile)
     }
 }
 

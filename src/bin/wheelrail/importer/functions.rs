@@ -54,5 +54,6 @@ functions! {
     set_string: "fmi2SetString" as SetMany<*const c_char>;
     get_real: "fmi2GetReal" as GetMany<f64>;
     get_integer: "fmi2GetInteger" as GetMany<c_int>;
+    get_string: "fmi2GetString" as GetMany<*const c_char>;
     do_step: "fmi2DoStep" as unsafe extern "C" fn(Component, f64, f64, c_int) -> Status;
 }

@@ -1,7 +1,7 @@
 //! One instance of a unit.
 #![allow(unsafe_code)]
 
-use std::ffi::{CString, c_char, c_int, c_void};
+use std::ffi::{CStr, CString, c_char, c_int, c_void};
 
 use anyhow::{Context, Result, anyhow, bail};
 use wheelrail::fmi::v2::types::{CO_SIMULATION, CallbackFunctions, Component, FALSE, TRUE};
@@ -136,6 +136,26 @@ impl<'fmu> Instance<'fmu> {
             get_real(self.component, references.as_ptr(), references.len(), values.as_mut_ptr())
         };
         self.check(status, "evaluating its parameters and inputs")
+    }
+
+    /// Gets one String by its value reference.
+    pub fn get_string(&mut self, reference: u32) -> Result<String> {
+        let mut value = [std::ptr::null()];
+        // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
+        let status = unsafe {
+            (self.fmu.functions.get_string)(
+                self.component,
+                [reference].as_ptr(),
+                1,
+                value.as_mut_ptr(),
+            )
+        };
+        self.check(status, "reading its parameters")?;
+        if value[0].is_null() {
+            bail!("{}: the unit has no text at value reference {reference}", self.name);
+        }
+        // SAFETY: FMI 2.0, 2.1.7: a text that ends with zero and stays until the next call.
+        Ok(unsafe { CStr::from_ptr(value[0]) }.to_string_lossy().into_owned())
     }
 
     /// Gets one Integer by its value reference.

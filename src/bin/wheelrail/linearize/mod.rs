@@ -11,7 +11,7 @@ use nalgebra::Complex;
 use wheelrail::wheelset::{Input, Parameters, TAPE_CIRCLE, Wheelset};
 
 use crate::figures::roots::{self, Roots};
-use crate::options::{ContactOptions, check_positive};
+use crate::options::{ContactOptions, Pair, check_positive};
 use crate::output;
 use crate::remarks::{Found, Remarks};
 use crate::wheelset::options::WheelsetOptions;
@@ -62,10 +62,10 @@ const RESOLUTION: f64 = 1e-6;
 /// Computes the table and, if asked for, draws the figure.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
-    let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];
-    let outputs = [&arguments.output, &arguments.figure, &arguments.matrix];
-    output::check_names(profiles.map(Path::new), outputs.map(Option::as_deref))?;
     let values = arguments.contact.shared_values()?;
+    let pair = Pair::of(&values.parameters);
+    let outputs = [&arguments.output, &arguments.figure, &arguments.matrix];
+    output::check_names(pair.profiles(), outputs.map(Option::as_deref))?;
     let mut parameters = Parameters::of_both(&values.parameters);
     parameters.flange_back_distance = arguments.wheelset.running_circles - 2.0 * TAPE_CIRCLE;
     let here = [PathBuf::from(".")];
@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     table.finish()?;
     if let Some(path) = &arguments.figure {
-        roots::draw(path, &arguments.contact.profiles(), &roots, critical)?;
+        roots::draw(path, &pair.to_string(), &roots, critical)?;
     }
     if arguments.output.is_some() {
         output::say(&told(&roots, critical))?;

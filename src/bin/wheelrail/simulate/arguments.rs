@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 use super::fmu_wheel::is_driven;
-use crate::options::{ContactOptions, assignment, check_positive};
+use crate::options::{ContactOptions, Pair, assignment, check_positive};
 use crate::wheelset::options::WheelsetOptions;
 use crate::wheelset::track::{RampShape, Track};
 
@@ -111,10 +111,10 @@ impl Arguments {
         profile.chain(self.rail_settings.iter().cloned()).collect()
     }
 
-    /// The pairs that touch, for titles.
-    pub fn profiles(&self) -> String {
+    /// The pairs that touch, of which the left one is this, for titles.
+    pub fn profiles(&self, left: &Pair) -> String {
         let right = self.rail.as_ref().map_or_else(String::new, |rail| format!(", right {rail}"));
-        self.contact.profiles() + &right
+        left.to_string() + &right
     }
 
     /// The track.

@@ -5,6 +5,7 @@ use wheelrail::element::output::{REPORTED_PATCHES, Wrench};
 use wheelrail::variables::find;
 
 use crate::importer::{Fmu, Instance, references};
+use crate::options::Pair;
 use crate::wheelset::record::Patch;
 use crate::wheelset::{Moment, Wheel, WheelInput};
 
@@ -112,6 +113,18 @@ impl<'fmu> FmuWheel<'fmu> {
         }
         wheel.instance.initialize()?;
         Ok(wheel)
+    }
+
+    /// The pair that touches.
+    pub fn pair(&mut self) -> Result<Pair> {
+        let mut inclination = [0.0];
+        self.instance.get_reals(&references(&["rail[1].inclination"])?, &mut inclination)?;
+        let mut text = |name| self.instance.get_string(references(&[name])?[0]);
+        Ok(Pair {
+            wheel_profile: text("wheel.profile")?,
+            rail_profile: text("rail[1].profile")?,
+            inclination: inclination[0],
+        })
     }
 
     /// Height of the wheel marker at which the wheel touches, at the start position [m].

@@ -36,7 +36,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut right = FmuWheel::new(&fmu, "right", &settings, arguments.station)?;
     let touching = [right.touching_z()?, left.touching_z()?];
     let mut out = stdout().lock();
-    report::situation(&mut out, arguments, &path)?;
+    let pair = left.pair()?;
+    report::situation(&mut out, arguments, &pair, &path)?;
     let mut wheelset = Wheelset {
         body: arguments.wheelset.body(),
         suspension: arguments.wheelset.suspension(),
@@ -74,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         wheel.finish()?;
     }
     let messages = wheelset.wheels.each_ref().map(FmuWheel::take_messages);
-    let files = write_files(arguments, &run.records)?;
+    let files = write_files(arguments, &arguments.profiles(&pair), &run.records)?;
     report::messages(&report::of_both(&messages));
     report::summary(&mut out, arguments, &run, &files)?;
     Ok(out.flush()?)
@@ -92,24 +93,20 @@ fn packaged_unit() -> Result<PathBuf> {
     Ok(path)
 }
 
-fn write_files(arguments: &Arguments, records: &[Record]) -> Result<Vec<PathBuf>> {
+fn write_files(arguments: &Arguments, profiles: &str, records: &[Record]) -> Result<Vec<PathBuf>> {
     let folder = &arguments.output;
     std::fs::create_dir_all(folder)
         .with_context(|| format!("cannot make the folder {}", folder.display()))?;
     let mut files: Vec<PathBuf> =
         ["history.csv", "motion.svg", "patches.svg"].map(|name| folder.join(name)).into();
     history::write(&files[0], records)?;
-    let title = format!(
-        "{}, {} mm ramp at {} m/s",
-        arguments.profiles(),
-        1e3 * arguments.ramp(),
-        arguments.speed
-    );
+    let title =
+        format!("{profiles}, {} mm ramp at {} m/s", 1e3 * arguments.ramp(), arguments.speed);
     let track = arguments.track();
     figures::motion::draw(&files[1], &title, &track, records)?;
     figures::patches::draw(&files[2], &title, &track, records)?;
     if arguments.rail.is_some() {
-        let title = format!("{} at {} m/s", arguments.profiles(), arguments.speed);
+        let title = format!("{profiles} at {} m/s", arguments.speed);
         files.push(folder.join("along_rail.svg"));
         let places = [arguments.station, 0.5 * arguments.wheelset.running_circles];
         figures::along_rail::draw(&files[3], &title, places, records)?;

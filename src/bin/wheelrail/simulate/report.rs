@@ -7,6 +7,7 @@ use wheelrail::element::StepLimit;
 
 use super::arguments::Arguments;
 use super::integration::Run;
+use crate::options::Pair;
 use crate::wheelset::body::State;
 use crate::wheelset::oscillation::oscillation;
 use crate::wheelset::record::{Patch, Record, SIDES};
@@ -22,14 +23,19 @@ fn write_lines(out: &mut impl Write, width: usize, lines: &[(&str, String)]) -> 
 }
 
 /// Wheelset, suspension, track and contact.
-pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io::Result<()> {
+pub fn situation(
+    out: &mut impl Write,
+    arguments: &Arguments,
+    pair: &Pair,
+    unit: &Path,
+) -> io::Result<()> {
     let Arguments { contact, wheelset, length, speed, ramp_start, .. } = arguments;
     let suspension = wheelset.suspension();
     let set =
         contact.settings.iter().fold(String::new(), |all, (n, v)| all + &format!(", {n} = {v}"));
     let contact = format!(
         "wheel {} on rail {}, inclination {}{set}",
-        contact.wheel_profile, contact.rail_profile, contact.inclination
+        pair.wheel_profile, pair.rail_profile, pair.inclination
     );
     let body = format!(
         "{} kg, inertia {} kg m² (roll, yaw) and {} kg m² (axle), {} kN on the track, circles {} m apart",
