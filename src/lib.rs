@@ -3,9 +3,9 @@
 //!
 //! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is
 //! asked for, it holds no history: an evaluation finds where the two profiles overlap, the pressure
-//! there (strips that all meet the contact condition, Piotrowski and Kik, or Hertz), the creepages
-//! and the tractions (FASTSIM, corrected by tables), and sums them to forces and moments on wheel
-//! and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI units
+//! there (strips of the least energy, Piotrowski and Kik, or Hertz), the creepages and the tractions
+//! (marches along strips that feel each other, FASTSIM, tables), and sums them to forces and moments
+//! on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI units
 //! `WheelRail.fmu` and `WheelSet.fmu` ([`fmi`]) and the command line `wheelrail`. The equations and
 //! their limits: `docs/theory.md`.
 //!

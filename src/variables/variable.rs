@@ -146,11 +146,11 @@ impl Unit {
     /// With the nearest name if there is none.
     pub fn find(&self, name: &str) -> Result<&'static Variable, UnknownVariable> {
         self.variables.iter().find(|v| v.name == name).ok_or_else(|| {
-            let names = self.variables.iter().map(|v| v.name);
             // No two names differ by capitals alone.
             let small = name.to_lowercase();
-            let nearest = names.min_by_key(|n| spelling::distance(&small, n));
-            UnknownVariable { name: name.into(), nearest: nearest.unwrap_or_default() }
+            let names = self.variables.iter().map(|v| (spelling::distance(&small, v.name), v.name));
+            let (distance, nearest) = names.min().unwrap_or_default();
+            UnknownVariable { name: name.into(), nearest, distance }
         })
     }
 }
@@ -164,4 +164,6 @@ pub struct UnknownVariable {
     pub name: String,
     /// The name of a variable that differs least from it, whether letters are large or small.
     pub nearest: &'static str,
+    /// Number of letters by which it differs.
+    pub distance: usize,
 }

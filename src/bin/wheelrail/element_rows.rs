@@ -64,13 +64,22 @@ pub fn set(values: &mut Values, columns: &[Option<&Variable>], row: &Row) -> Res
 /// The variable of that FMI name, or of the short name that inputs have in Python: y for wheel.y,
 /// load for wheel.load, friction for friction.coefficient.
 fn by_name(name: &str) -> Result<&'static Variable, UnknownVariable> {
-    find(name).or_else(|unknown| {
+    find(name).or_else(|mut unknown| {
         let long = match name {
             "friction" => "friction.coefficient".to_owned(),
             _ => format!("wheel.{name}"),
         };
-        let found = find(&long).ok().filter(|variable| variable.causality == Causality::Input);
-        found.ok_or(unknown)
+        let is_input = |variable: &&Variable| variable.causality == Causality::Input;
+        match find(&long) {
+            Ok(found) => Some(found).filter(is_input).ok_or(unknown),
+            // It may be the short name that has a slip in it.
+            Err(other) => {
+                if other.distance < unknown.distance {
+                    unknown.nearest = other.nearest;
+                }
+                Err(unknown)
+            }
+        }
     })
 }
 

@@ -24,7 +24,7 @@ use crate::planar_cases::{Case, PlanarCases, contact_cells, timed};
 ///   friction                  (0.3)
 ///   young_modulus_mpa, poisson_ratio              of both bodies (210000, 0.28)
 ///   rail_young_modulus_mpa, rail_poisson_ratio    of the lower body (as the upper)
-///   normal_model, shape_fit, tangential_model, strips, elements_along, points, bound, flexibilities
+///   normal_model, shape_fit, tangential_model, strips, elements_along, bound, flexibilities
 ///                             names and start values as in the FMU (normal.model, …)
 ///   elements_across           with elements_along the boundary elements over the contact (40 by 40)
 ///

@@ -29,8 +29,9 @@ use crate::{models, output};
 /// without the shift of the contact line that yaw brings. Wheels roll forward.
 ///
 /// The left half of the figure shows the models of the row, the right half boundary elements.
-/// FASTSIM and boundary elements have tractions to show; of other tangential models only the
-/// pressure is drawn.
+/// Models that march along the strips and boundary elements have tractions to show; of tables only
+/// the pressure is drawn. Creepage is that of the tangent plane of the contact, whatever
+/// creepage.model is.
 ///
 /// With --worn-wheel or --worn-rail instead of CASES the worn profiles, as a run of the FMU with
 /// wear.wheel.file or wear.rail[1].file leaves them, are drawn on those they were, and the wear
