@@ -92,6 +92,13 @@ def test_what_has_none_says_so():
         fine.adjoint(np.ones(5), y=0.75)
 
 
+def test_weights_are_one_for_each_output(wheel):
+    chosen = {"y": 0.75, "outputs": ["wheel.force.x", "wheel.force.y"]}
+    for wrong in ([1.0], [1.0, 2.0, 3.0], 1.0, np.ones((3, 2))):
+        with pytest.raises(wheelrail.ContactError, match="weights of shape"):
+            wheel.adjoint(wrong, **chosen)
+
+
 @pytest.mark.long
 def test_as_a_custom_function_of_jax(wheel):
     """Friction that a network or anything else gives is fitted through the contact."""

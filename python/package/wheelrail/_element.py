@@ -80,6 +80,10 @@ class _Unit:
 
     def __init__(self, parameters: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> None:
         settings: dict[str, Any] = {}
+        if not isinstance(parameters, Mapping | None):
+            raise BadValueError(
+                f"parameters = {parameters!r}: parameters are given by name, such as wheel_profile='S1002', or as a mapping"
+            )
         for name, value in [*(parameters or {}).items(), *keywords.items()]:
             variable = find(self._unit, name)
             if variable.causality not in ("input", "parameter"):
@@ -464,9 +468,19 @@ class Element(_Unit):
         call = self._differentiation(names, _chosen(outputs), tuple(along))
         given = Given(call.inputs, values, table)
         shape = (*given.layout.shape, len(call.outputs))
-        weighted = np.ascontiguousarray(
-            np.broadcast_to(np.asarray(weights, dtype=np.float64), shape)
-        ).reshape(given.rows, len(call.outputs))
+        weights = np.asarray(weights, dtype=np.float64)
+        try:
+            fits = weights.shape[-1:] == shape[-1:] and np.broadcast_shapes(weights.shape, shape) == shape
+        except ValueError:
+            fits = False
+        if not fits:
+            raise BadValueError(
+                f"weights of shape {weights.shape}: one for each of {len(call.outputs)} outputs in the last axis, "
+                f"and of shape {shape} or one that broadcasts to it"
+            )
+        weighted = np.ascontiguousarray(np.broadcast_to(weights, shape)).reshape(
+            given.rows, len(call.outputs)
+        )
         data = np.empty((given.rows, len(call.by) + len(PARAMETERS)))
         states = np.zeros(given.rows, dtype=np.uint8)
         points = tuple(np.zeros(len(self.points(body))) for body in BODIES)
