@@ -149,7 +149,8 @@ impl Unit {
             // No two names differ by capitals alone.
             let small = name.to_lowercase();
             let names = self.variables.iter().map(|v| (spelling::distance(&small, v.name), v.name));
-            let (distance, nearest) = names.min().unwrap_or_default();
+            let (distance, nearest) =
+                names.min_by_key(|(distance, _)| *distance).unwrap_or_default();
             UnknownVariable { name: name.into(), nearest, distance }
         })
     }

@@ -191,6 +191,8 @@ fn what_is_unlikely_is_told_with_its_numbers() {
     assert!(told("a.txt", narrow, WHEEL).contains("mm wide"));
     assert!(told("b.txt", shifted(-54.0), WHEEL).contains("at the edge of the wheel"));
     assert!(told("c.txt", shifted(44.0), WHEEL).contains("in the flange"));
+    let lower = wheel().into_iter().map(|p| [p[0], p[1] + 30.0]).collect();
+    assert!(told("g.txt", lower, WHEEL).contains("z = 30.0 mm at y = 0"));
     let centimetres = wheel().into_iter().map(|p| p.map(|x| 0.1 * x)).collect();
     assert!(told("d.txt", centimetres, WHEEL).contains("12.2 mm wide"));
     let line = (0..60).map(|i| [0.0, 0.5 * f64::from(i)]).collect();

@@ -3,6 +3,7 @@
 mod body_profile;
 pub mod contacts;
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
@@ -79,11 +80,21 @@ pub struct Arguments {
     endurance: Option<f64>,
 }
 
+/// Yield stresses in shear that a body may have; beyond them it is another unit [MPa].
+const YIELD_STRESSES: RangeInclusive<f64> = 1.0..=1e6;
 /// Most places of a map along either axis.
 const MOST_PLACES: f64 = 2000.0;
 
 impl Arguments {
     fn strength(&self) -> Result<Strength> {
+        if !YIELD_STRESSES.contains(&self.shear_yield) {
+            bail!(
+                "--shear-yield {} is not admitted: a stress in MPa, {} to {}",
+                self.shear_yield,
+                YIELD_STRESSES.start(),
+                YIELD_STRESSES.end()
+            );
+        }
         let mut strength = Strength::default();
         strength.shear_yield = 1e6 * self.shear_yield;
         strength.dang_van = self.dang_van;

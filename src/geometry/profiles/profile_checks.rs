@@ -190,17 +190,23 @@ pub(crate) fn unlikely(profile: &ProfilePoints, kind: ProfileKind) -> Option<Str
     let around: Vec<_> =
         points.iter().filter(|p| p.point[0].abs() < AROUND).map(|p| p.point).collect();
     let [first, last] = [around.first()?, around.last()?];
-    let height = 1e3 * points.iter().find(|p| p.point[0] >= 0.0)?.point[1];
-    if height.abs() > 1e3 * WORN_AWAY {
-        return Some(format!(
-            "z = {height:.1} mm at y = 0, where the rolling radius is the nominal one and z more: z counts from the nominal running circle"
-        ));
-    }
     let slope = (last[1] - first[1]) / (last[0] - first[0]).max(f64::MIN_POSITIVE);
     (slope.abs() > STEEPEST_TREAD).then(|| {
         format!(
             "y = 0, the nominal running circle, lies on a flank of {:.0} degrees, in the flange",
             slope.abs().atan().to_degrees()
+        )
+    })
+}
+
+/// What is unlikely about the height at the running circle of a wheel whose z counts from there, in
+/// words.
+pub(crate) fn off_circle(profile: &ProfilePoints) -> Option<String> {
+    let height = profile.points.iter().find(|p| p.point[0] >= 0.0)?.point[1];
+    (height.abs() > WORN_AWAY).then(|| {
+        format!(
+            "z = {:.1} mm at y = 0, where it counts from: the radius there is the nominal one plus that",
+            1e3 * height
         )
     })
 }

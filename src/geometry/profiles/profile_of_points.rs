@@ -70,7 +70,9 @@ impl ProfilePoints {
             self.points.iter_mut().for_each(|p| p.point[0] -= RUNNING_CIRCLE);
         }
         self.mend_orientation(kind)?;
-        if let Some(what) = profile_checks::unlikely(&self, kind) {
+        let is_placed = kind == ProfileKind::Rail || from_flange_back;
+        let off_circle = || profile_checks::off_circle(&self).filter(|_| !is_placed);
+        if let Some(what) = profile_checks::unlikely(&self, kind).or_else(off_circle) {
             let (file, remedy) = (self.file.clone(), self.remedies.units);
             self.remarks.push(ProfileRemark::Unlikely { file, what, remedy });
         }
