@@ -50,9 +50,16 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
         }
         let deepest = depth.iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
         let area: f64 = depth.iter().map(|p| p.depth * p.length).sum();
+        let more = if area < 0.0 {
+            format!(
+                "; that is more material than {unworn} has: is it the same body in the same frame?"
+            )
+        } else {
+            String::new()
+        };
         if let Some(deepest) = deepest {
             output::say(&format!(
-                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm\n",
+                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm{more}\n",
                 1e6 * area,
                 1e3 * deepest.depth,
                 1e3 * deepest.point[0]
