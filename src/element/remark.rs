@@ -59,6 +59,13 @@ pub enum Remark {
         /// models leave it out.
         did_not_settle: bool,
     },
+    /// More friction than there is between any two bodies.
+    Friction {
+        /// Number of the rail.
+        rail: usize,
+        /// The coefficient [-].
+        coefficient: f64,
+    },
     /// An input that was given has no effect with the parameters as they are.
     NoEffect {
         /// Its name without that of the wheel.
@@ -74,7 +81,7 @@ pub enum Remark {
 
 impl Remark {
     /// How many kinds there are.
-    pub const KINDS: usize = 13;
+    pub const KINDS: usize = 14;
 
     /// The kind, as a number below [`KINDS`](Self::KINDS): each is told once.
     pub fn kind(&self) -> usize {
@@ -91,6 +98,7 @@ impl Remark {
             Self::NoEffect { .. } => 10,
             Self::Place(StartWarning::BeginsAtOnce { .. }) => 11,
             Self::UnlikeMaterials { .. } => 12,
+            Self::Friction { .. } => 13,
         }
     }
 
@@ -114,6 +122,7 @@ impl Remark {
             Self::ProfileEnd { of_rail: false, .. } => "contact at the end of the wheel's profile",
             Self::ProfileEnd { of_rail: true, .. } => "contact at the end of a rail's profile",
             Self::UnlikeMaterials { .. } => "unlike materials",
+            Self::Friction { .. } => "friction beyond all measure",
             Self::NoEffect { .. } => "input without effect",
         }
     }
@@ -200,6 +209,11 @@ impl fmt::Display for Message<'_> {
                     "that is left out here, boundary elements for both models have it on bodies even along the track"
                 })
             }
+            Remark::Friction { rail, coefficient } => write!(
+                f,
+                "the coefficient of friction on {prefix}rail[{rail}] is {coefficient}: dry rails have 0.3 to 0.6; in percent it is a hundred times \
+                 too much"
+            ),
             Remark::NoEffect { input, parameter, chosen, with } => {
                 let of_side = if input.starts_with("wheelset.") { "" } else { prefix };
                 write!(

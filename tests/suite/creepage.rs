@@ -53,6 +53,24 @@ fn linear_theory_is_fastsim_with_friction_without_end() {
 }
 
 #[test]
+fn a_contact_laid_flat_creeps_as_its_patch() {
+    let mut element = element(&Parameters {
+        normal_model: NormalModel::Hertz,
+        creepage_model: CreepageModel::Flat,
+        ..plain_parameters("conical:0.05", "arc:0.3")
+    });
+    let mut input = rolling(2e-3, 20.0);
+    input.wheel.yaw = 2e-3;
+    // As deep as a wheel of a wagon presses, which in free rolling is most of the creepage.
+    let input = pressed(&mut element, &input, 1e-4);
+    let found = element.flat_contacts(&input).unwrap()[0].creepage;
+    let patch = the_patch(&evaluate(&mut element, &input));
+    for (found, expected) in found.iter().zip(patch.creepage) {
+        approx::assert_relative_eq!(*found, expected, max_relative = 1e-9);
+    }
+}
+
+#[test]
 fn linear_forces_know_no_friction_and_vanish_with_the_load() {
     let parameters =
         Parameters { tangential_model: TangentialModel::Linear, ..Parameters::default() };
