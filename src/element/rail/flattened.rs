@@ -28,7 +28,8 @@ pub struct FlatContact {
     pub radius: f64,
     /// Approach [m].
     pub penetration: f64,
-    /// Longitudinal, lateral [-] and spin [1/m] creepage at the contact point.
+    /// Longitudinal, lateral [-] and spin [1/m] creepage at the contact point of the plane body that
+    /// creeps as the wheel does in the middle of the overlap.
     pub creepage: [f64; 3],
     /// Coefficient of friction at the contact point, without sliding [-].
     pub friction: f64,
@@ -60,23 +61,16 @@ impl ContactSetup<'_> {
         radius: f64,
         minimum_speed: f64,
     ) -> FlatContact {
-        let (wheel, motion) = (&self.input.wheel, self.motion());
-        let axes = self.axes();
-        // On the wheel, as the creepage of a zone is: a tenth of a millimetre counts in free rolling.
-        let Contact { u, .. } = self.contact;
-        let place = self.track_point(self.line.at(u).x, 0.0, self.depth(u));
-        let speed = rolling_speed(
-            self.forward() - motion.roller_speed(place),
-            wheel.pitch_rate,
-            self.line.wheel_point(self.contact.u).rolling_radius,
-            minimum_speed,
-        );
-        let creepage = motion.creepage(place, &axes, speed.reference);
         let [start, end] = self.line.range();
         let (from, to) = ((self.contact.u - REACH).max(start), (self.contact.u + REACH).min(end));
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(POINTS);
         let mut outline = Vec::with_capacity(POINTS);
         let mut friction_across = Vec::new();
+        let Contact { u, penetration, .. } = self.contact;
+        let place = self.track_point(self.line.at(u).x, 0.0, self.depth(u));
+        // Weight, and weighted y and u, of the overlap around the contact point, by its square: about
+        // as the load is spread.
+        let (mut sums, mut is_past) = ([0.0; 3], false);
         for step in 0..POINTS {
             let u = from + (to - from) * step as f64 / (POINTS - 1) as f64;
             let at = separation.at(u);
@@ -85,11 +79,21 @@ impl ContactSetup<'_> {
             let grows = points.last().is_none_or(|last| at.y > last[0]);
             if at.f < BEYOND && grows {
                 points.push([at.y, at.f]);
+                let overlap = (penetration - at.f).max(0.0);
+                let weight = if is_past { 0.0 } else { overlap * overlap * at.dy };
+                sums = [0, 1, 2].map(|k| sums[k] + weight * [1.0, at.y, u][k]);
+                if overlap <= 0.0 && u < self.contact.u {
+                    sums = [0.0; 3];
+                }
+                is_past |= overlap <= 0.0 && u > self.contact.u;
                 let place = RailPlace::at(&self.rail, separation.last_rail_parameter());
                 let own = self.strip_friction(&place, at.x);
                 friction_across.extend(own.map(|own| (at.y, own)));
             }
         }
+        let [weight, y_moment, u_moment] = sums;
+        let middle = if weight > 0.0 { [u_moment / weight, y_moment / weight] } else { [u, 0.0] };
+        let creepage = self.flat_creepage(middle, minimum_speed);
         let curve = self.rail.rail.curve();
         let (from, to) = (
             (self.contact.rail_s - REACH).max(curve.start()),
@@ -106,8 +110,8 @@ impl ContactSetup<'_> {
             position: [place.y, place.z],
             separation: points,
             radius,
-            penetration: self.contact.penetration,
-            creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
+            penetration,
+            creepage,
             friction: self
                 .strip_friction(&RailPlace::at(&self.rail, self.contact.rail_s), place.x)
                 .map_or(self.input.friction, |own| own.under(&[1.0; 2])),
@@ -116,5 +120,21 @@ impl ContactSetup<'_> {
             wheel: outline,
             rail_head: rail_head.collect(),
         }
+    }
+
+    /// Longitudinal, lateral and spin creepage that a plane has at the contact point if it creeps as
+    /// the wheel does at parameter `u` of its line, which lies `y` beside that point [-, -, 1/m].
+    fn flat_creepage(&self, [u, y]: [f64; 2], minimum_speed: f64) -> [f64; 3] {
+        let motion = self.motion();
+        // On the wheel: in free rolling a tenth of a millimetre counts.
+        let place = self.track_point(self.line.at(u).x, y, self.depth(u));
+        let speed = rolling_speed(
+            self.forward() - motion.roller_speed(place),
+            self.input.wheel.pitch_rate,
+            self.line.wheel_point(u).rolling_radius,
+            minimum_speed,
+        );
+        let creepage = motion.creepage(place, &self.axes(), speed.reference);
+        [creepage.longitudinal + creepage.spin * y, creepage.lateral, creepage.spin]
     }
 }
