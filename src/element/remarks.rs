@@ -8,14 +8,12 @@ use super::remark::Remark;
 use super::subject::Subject;
 use super::vertical_load::is_carried;
 use super::wheel_on_rails::Element;
+use crate::friction::MAX_FRICTION;
 use crate::geometry::profiles::profile::Profile;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::math::real::Real;
 use crate::normal::NormalModel;
 
-/// Coefficient of friction that a rail does not have, whatever lies on it [-]: what files of friction
-/// are refused beyond.
-const MOST_FRICTION: f64 = 10.0;
 /// Slip from which on a wheel counts as sliding, far beyond where creep forces are full and what a
 /// driven or braked wheel is led at [-].
 const SLIDING: f64 = 0.25;
@@ -81,7 +79,7 @@ pub fn remarks<S: Subject>(
             tell(k, slides);
         }
         let Patch { rail, friction_coefficient: coefficient, .. } = output.patches[0];
-        if coefficient > MOST_FRICTION {
+        if coefficient > MAX_FRICTION {
             tell(k, Remark::Friction { rail: rail as usize, coefficient });
         }
         element.profile_ends(output, at, &mut |remark| tell(k, remark));

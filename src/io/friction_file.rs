@@ -10,12 +10,10 @@
 use std::path::PathBuf;
 
 use crate::error::ContactError;
-use crate::friction::{Across, FrictionProfile, Section};
+use crate::friction::{Across, FrictionProfile, MAX_FRICTION, Section};
 use crate::io::named_file::parsed;
 use crate::io::table::{Line, columns, numbers, rows};
 
-/// Greatest coefficient of friction: a number in percent is beyond it.
-const MAX_FRICTION: f64 = 10.0;
 /// Greatest inclination [deg] and place [mm], both ways.
 const MAX_INCLINATION: f64 = 180.0;
 const MAX_PLACE: f64 = 1000.0;

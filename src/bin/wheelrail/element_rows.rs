@@ -75,7 +75,7 @@ fn by_name(name: &str) -> Result<&'static Variable, UnknownVariable> {
             // It may be the short name that has a slip in it.
             Err(other) => {
                 if other.distance < unknown.distance {
-                    unknown.nearest = other.nearest;
+                    (unknown.nearest, unknown.distance) = (other.nearest, other.distance);
                 }
                 Err(unknown)
             }

@@ -68,9 +68,8 @@ impl ContactSetup<'_> {
         let mut friction_across = Vec::new();
         let Contact { u, penetration, .. } = self.contact;
         let place = self.track_point(self.line.at(u).x, 0.0, self.depth(u));
-        // Weight, and weighted y and u, of the overlap around the contact point, by its square: about
-        // as the load is spread.
-        let (mut sums, mut is_past) = ([0.0; 3], false);
+        // Parameter, place across and weight: the square of the overlap is about as the load is spread.
+        let mut overlaps: Vec<[f64; 3]> = Vec::with_capacity(POINTS);
         for step in 0..POINTS {
             let u = from + (to - from) * step as f64 / (POINTS - 1) as f64;
             let at = separation.at(u);
@@ -80,19 +79,20 @@ impl ContactSetup<'_> {
             if at.f < BEYOND && grows {
                 points.push([at.y, at.f]);
                 let overlap = (penetration - at.f).max(0.0);
-                let weight = if is_past { 0.0 } else { overlap * overlap * at.dy };
-                sums = [0, 1, 2].map(|k| sums[k] + weight * [1.0, at.y, u][k]);
-                if overlap <= 0.0 && u < self.contact.u {
-                    sums = [0.0; 3];
-                }
-                is_past |= overlap <= 0.0 && u > self.contact.u;
+                overlaps.push([u, at.y, overlap * overlap * at.dy]);
                 let place = RailPlace::at(&self.rail, separation.last_rail_parameter());
                 let own = self.strip_friction(&place, at.x);
                 friction_across.extend(own.map(|own| (at.y, own)));
             }
         }
-        let [weight, y_moment, u_moment] = sums;
-        let middle = if weight > 0.0 { [u_moment / weight, y_moment / weight] } else { [u, 0.0] };
+        // The overlap around the contact point, not others that it reaches to.
+        let own = overlaps
+            .split(|[.., weight]| *weight <= 0.0)
+            .find(|run| run.last().is_some_and(|last| last[0] >= u));
+        let middle = own.map_or([u, 0.0], |own| {
+            let weight: f64 = own.iter().map(|at| at[2]).sum();
+            [0, 1].map(|k| own.iter().map(|at| at[2] * at[k]).sum::<f64>() / weight)
+        });
         let creepage = self.flat_creepage(middle, minimum_speed);
         let curve = self.rail.rail.curve();
         let (from, to) = (

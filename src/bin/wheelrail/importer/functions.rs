@@ -11,7 +11,7 @@ use wheelrail::fmi::v2::types::{CallbackFunctions, Component};
 pub type Status = c_int;
 
 type SetMany<T> = unsafe extern "C" fn(Component, *const c_uint, usize, *const T) -> Status;
-type GetMany<T> = unsafe extern "C" fn(Component, *const c_uint, usize, *mut T) -> Status;
+pub type GetMany<T> = unsafe extern "C" fn(Component, *const c_uint, usize, *mut T) -> Status;
 type Transition = unsafe extern "C" fn(Component) -> Status;
 
 /// Declares the structure of function pointers and how it is filled from the library.

@@ -8,7 +8,7 @@ use wheelrail::fmi::v2::types::{CO_SIMULATION, CallbackFunctions, Component, FAL
 use wheelrail::variables::{Kind, find};
 
 use super::archive::Fmu;
-use super::functions::Status;
+use super::functions::{GetMany, Status};
 use super::logger::{self, Messages};
 
 /// An instance of a unit; freed when dropped.
@@ -140,36 +140,24 @@ impl<'fmu> Instance<'fmu> {
 
     /// Gets one String by its value reference.
     pub fn get_string(&mut self, reference: u32) -> Result<String> {
-        let mut value = [std::ptr::null()];
-        // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
-        let status = unsafe {
-            (self.fmu.functions.get_string)(
-                self.component,
-                [reference].as_ptr(),
-                1,
-                value.as_mut_ptr(),
-            )
-        };
-        self.check(status, "reading its parameters")?;
-        if value[0].is_null() {
+        let text = self.get_one(self.fmu.functions.get_string, reference, std::ptr::null())?;
+        if text.is_null() {
             bail!("{}: the unit has no text at value reference {reference}", self.name);
         }
         // SAFETY: FMI 2.0, 2.1.7: a text that ends with zero and stays until the next call.
-        Ok(unsafe { CStr::from_ptr(value[0]) }.to_string_lossy().into_owned())
+        Ok(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
     }
 
     /// Gets one Integer by its value reference.
     pub fn get_integer(&mut self, reference: u32) -> Result<i32> {
-        let mut value = [0];
+        self.get_one(self.fmu.functions.get_integer, reference, 0)
+    }
+
+    /// Gets one value, `none` before that.
+    fn get_one<T: Copy>(&self, get: GetMany<T>, reference: u32, none: T) -> Result<T> {
+        let mut value = [none];
         // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
-        let status = unsafe {
-            (self.fmu.functions.get_integer)(
-                self.component,
-                [reference].as_ptr(),
-                1,
-                value.as_mut_ptr(),
-            )
-        };
+        let status = unsafe { get(self.component, [reference].as_ptr(), 1, value.as_mut_ptr()) };
         self.check(status, "evaluating its parameters and inputs")?;
         Ok(value[0])
     }
