@@ -19,9 +19,12 @@
 //! height a force is to second order in the step from one to the other, and two of all forces what
 //! they become where a little more load is carried.
 
+use nalgebra::{SMatrix, SVector};
+
 use super::input::Input;
 use super::output::{Output, Patch, heaviest};
 use super::wheel_on_rails::Element;
+use crate::math::broyden::Broyden;
 use crate::normal::{Descent, Pose, way_between};
 
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
@@ -109,8 +112,8 @@ pub(crate) struct Balance {
     last: Placed,
     /// Deflection of the last pose [m].
     y: f64,
-    left: [f64; 3],
     course: Option<Course>,
+    search: Broyden<3>,
 }
 
 /// How the force of the normal loads grew from one pose to the last one.
@@ -126,8 +129,10 @@ impl Balance {
     /// From the first pose with the deflection `y`.
     pub fn at(first: &Placed, held: Held, y: f64) -> Self {
         let depth = held.load / first.stiffness * (first.normal / held.load).cbrt();
-        let mut balance = Self { held, depth, last: *first, y, left: [0.0; 3], course: None };
-        balance.left = balance.residuals(first, y);
+        let search = Broyden::new(SMatrix::identity(), SVector::zeros(), SVector::zeros());
+        let mut balance = Self { held, depth, last: *first, y, course: None, search };
+        let (matrix, at, left) = (balance.matrix(), balance.unknowns(), balance.residuals());
+        balance.search = Broyden::new(matrix, at, left);
         balance
     }
 
@@ -136,44 +141,40 @@ impl Balance {
         self.last
     }
 
-    /// The unknowns at a height over the rails, with a normal force and a deflection.
-    pub fn unknowns(&self, about: &Carried) -> [f64; 3] {
-        [about.z / self.depth, self.power(about.normal), about.aside / self.depth]
-    }
-
-    /// What unknowns stand for.
-    pub fn carried(&self, unknowns: [f64; 3]) -> Carried {
-        let [z, normal, aside] = unknowns;
-        let normal = self.held.load * (normal / 1.5).max(0.0).powf(1.5);
-        Carried {
-            z: z * self.depth,
-            normal,
-            stiffness: self.last.stiffness,
-            aside: aside * self.depth,
-        }
+    /// Height, power of the normal force and deflection of the last pose.
+    fn unknowns(&self) -> SVector<f64, 3> {
+        let Self { last, depth, y, .. } = self;
+        [last.z / depth, self.power(last.normal), y / depth].into()
     }
 
     fn power(&self, force: f64) -> f64 {
         1.5 * (force / self.held.load).cbrt().powi(2)
     }
 
-    /// Way, load and deflection left at a pose with the deflection `y`.
-    fn residuals(&self, at: &Placed, y: f64) -> [f64; 3] {
-        let aside = self.held.lateral_stiffness.map_or(0.0, |k| at.aside * at.carried / k - y);
-        [at.way / self.depth, 1.5 - self.power(at.carried), aside / self.depth]
+    /// The force of a power [N].
+    fn force(&self, power: f64) -> f64 {
+        self.held.load * (power / 1.5).max(0.0).powf(1.5)
+    }
+
+    /// Way, load and deflection left at the last pose.
+    fn residuals(&self) -> SVector<f64, 3> {
+        let Self { held, depth, last, y, .. } = self;
+        let aside = held.lateral_stiffness.map_or(0.0, |k| last.aside * last.carried / k - y);
+        [last.way / depth, 1.5 - self.power(last.carried), aside / depth].into()
     }
 
     /// What a step of the unknowns takes off the residuals, as the first pose tells.
-    pub fn matrix(&self) -> [[f64; 3]; 3] {
-        let at = &self.last;
+    fn matrix(&self) -> SMatrix<f64, 3, 3> {
+        let Self { last: at, held: Held { load, lateral_stiffness }, depth, .. } = self;
         let ratio = at.carried / at.normal;
-        let growth = self.held.load * (at.normal / self.held.load).cbrt() / self.depth;
-        let aside = self.held.lateral_stiffness.map_or(0.0, |k| -at.aside * ratio * growth / k);
-        [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]]
+        let growth = load * (at.normal / load).cbrt() / depth;
+        let aside = lateral_stiffness.map_or(0.0, |k| -at.aside * ratio * growth / k);
+        let rows = [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]];
+        SMatrix::from_fn(|i, j| rows[i][j])
     }
 
-    /// Residuals at another pose, or with other forces, with the deflection `y`.
-    pub fn take(&mut self, here: &Placed, y: f64) -> [f64; 3] {
+    /// Takes over another pose, or other forces, with the deflection `y`.
+    pub fn take(&mut self, here: &Placed, y: f64) {
         let Self { last, depth, .. } = *self;
         let step = here.z - last.z + here.slope * (y - self.y);
         // Other forces of the same pose do not tell of another one.
@@ -185,8 +186,22 @@ impl Balance {
             self.course = is_known.then_some(Course { per_power, step: step.abs() / depth });
         }
         (self.last, self.y) = (Placed { resting, ..*here }, y);
-        self.left = self.residuals(here, y);
-        self.left
+        self.search.take(self.unknowns(), self.residuals());
+    }
+
+    /// How the wheel is carried where nothing would be left; and the greatest step to there but for
+    /// deflections, over load and depth [-].
+    pub fn next(&self) -> Option<(Carried, f64)> {
+        let [next, step] = self.search.next()?;
+        let [z, power, aside] = next.into();
+        let (normal, stiffness) = (self.force(power), self.last.stiffness);
+        let carried = Carried { z: z * self.depth, normal, stiffness, aside: aside * self.depth };
+        Some((carried, step.fixed_rows::<2>(0).amax()))
+    }
+
+    /// Vertical force of the normal loads with which no load would be missing at the last pose [N].
+    pub fn next_normal(&self) -> f64 {
+        self.force(self.search.next_alone(1))
     }
 
     /// The height at which normal loads of a pose beside the last one have the vertical force
@@ -202,25 +217,26 @@ impl Balance {
 
     /// Residuals at the last pose.
     pub fn left(&self) -> [f64; 3] {
-        self.left
+        self.search.left().into()
     }
 
     /// Lateral force that is left, over the load [-].
     fn lateral(&self) -> f64 {
         let Held { load, lateral_stiffness } = self.held;
-        lateral_stiffness.map_or(0.0, |k| self.left[2] * self.depth * k / load)
+        lateral_stiffness.map_or(0.0, |k| self.left()[2] * self.depth * k / load)
     }
 
     /// Whether the next pose may be an evaluation by itself.
     pub fn is_nearly_met(&self) -> bool {
-        let [way, missing, _] = self.left;
+        let [way, missing, _] = self.left();
         way.abs().max(missing.abs()).max(self.lateral().abs()) <= NEARLY
     }
 
     /// Forces of the last pose that are wrong because of the geometry, over the load [-]. Load that
     /// is missing makes the way longer.
     fn misplaced(&self) -> f64 {
-        let Self { last, left: [way, missing, _], course, .. } = self;
+        let Self { last, course, .. } = self;
+        let [way, missing, _] = self.left();
         let wrong = course.map_or(WRONG[1], |course| {
             let taken_off = self.height_of(last.normal) - last.z - last.way;
             course.step + (0.5 * (taken_off / last.way).abs()).max(WRONG[0])
@@ -264,7 +280,7 @@ impl Balance {
 
     /// Whether no load is missing there.
     pub fn is_carried(&self) -> bool {
-        let [_, missing, _] = self.left;
+        let [_, missing, _] = self.left();
         missing.abs() <= MISSING
     }
 }
