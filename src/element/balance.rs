@@ -104,11 +104,50 @@ pub(crate) struct Held {
     pub lateral_stiffness: Option<f64>,
 }
 
-/// One wheel's part of the balance: unknowns and residuals are over the load and its depth.
+/// What unknowns and residuals of a wheel are over: its load, and the depth that goes with it [m].
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Balance {
+struct Scales {
     held: Held,
     depth: f64,
+}
+
+impl Scales {
+    fn power(&self, force: f64) -> f64 {
+        1.5 * (force / self.held.load).cbrt().powi(2)
+    }
+
+    /// The force of a power [N].
+    fn force(&self, power: f64) -> f64 {
+        self.held.load * (power / 1.5).max(0.0).powf(1.5)
+    }
+
+    /// Height, power of the normal force and deflection of a pose.
+    fn unknowns(&self, at: &Placed, y: f64) -> SVector<f64, 3> {
+        [at.z / self.depth, self.power(at.normal), y / self.depth].into()
+    }
+
+    /// Way, load and deflection left at a pose with the deflection `y`.
+    fn residuals(&self, at: &Placed, y: f64) -> SVector<f64, 3> {
+        let Self { held, depth } = self;
+        let aside = held.lateral_stiffness.map_or(0.0, |k| at.aside * at.carried / k - y);
+        [at.way / depth, 1.5 - self.power(at.carried), aside / depth].into()
+    }
+
+    /// What a step of the unknowns takes off the residuals, as a pose tells.
+    fn matrix(&self, at: &Placed) -> SMatrix<f64, 3, 3> {
+        let Self { held: Held { load, lateral_stiffness }, depth } = self;
+        let ratio = at.carried / at.normal;
+        let growth = load * (at.normal / load).cbrt() / depth;
+        let aside = lateral_stiffness.map_or(0.0, |k| -at.aside * ratio * growth / k);
+        let rows = [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]];
+        SMatrix::from_fn(|i, j| rows[i][j])
+    }
+}
+
+/// One wheel's part of the balance.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Balance {
+    scales: Scales,
     last: Placed,
     /// Deflection of the last pose [m].
     y: f64,
@@ -129,11 +168,10 @@ impl Balance {
     /// From the first pose with the deflection `y`.
     pub fn at(first: &Placed, held: Held, y: f64) -> Self {
         let depth = held.load / first.stiffness * (first.normal / held.load).cbrt();
-        let search = Broyden::new(SMatrix::identity(), SVector::zeros(), SVector::zeros());
-        let mut balance = Self { held, depth, last: *first, y, course: None, search };
-        let (matrix, at, left) = (balance.matrix(), balance.unknowns(), balance.residuals());
-        balance.search = Broyden::new(matrix, at, left);
-        balance
+        let scales = Scales { held, depth };
+        let [at, left] = [scales.unknowns(first, y), scales.residuals(first, y)];
+        let search = Broyden::new(scales.matrix(first), at, left);
+        Self { scales, last: *first, y, course: None, search }
     }
 
     /// The last pose.
@@ -141,75 +179,46 @@ impl Balance {
         self.last
     }
 
-    /// Height, power of the normal force and deflection of the last pose.
-    fn unknowns(&self) -> SVector<f64, 3> {
-        let Self { last, depth, y, .. } = self;
-        [last.z / depth, self.power(last.normal), y / depth].into()
-    }
-
-    fn power(&self, force: f64) -> f64 {
-        1.5 * (force / self.held.load).cbrt().powi(2)
-    }
-
-    /// The force of a power [N].
-    fn force(&self, power: f64) -> f64 {
-        self.held.load * (power / 1.5).max(0.0).powf(1.5)
-    }
-
-    /// Way, load and deflection left at the last pose.
-    fn residuals(&self) -> SVector<f64, 3> {
-        let Self { held, depth, last, y, .. } = self;
-        let aside = held.lateral_stiffness.map_or(0.0, |k| last.aside * last.carried / k - y);
-        [last.way / depth, 1.5 - self.power(last.carried), aside / depth].into()
-    }
-
-    /// What a step of the unknowns takes off the residuals, as the first pose tells.
-    fn matrix(&self) -> SMatrix<f64, 3, 3> {
-        let Self { last: at, held: Held { load, lateral_stiffness }, depth, .. } = self;
-        let ratio = at.carried / at.normal;
-        let growth = load * (at.normal / load).cbrt() / depth;
-        let aside = lateral_stiffness.map_or(0.0, |k| -at.aside * ratio * growth / k);
-        let rows = [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]];
-        SMatrix::from_fn(|i, j| rows[i][j])
-    }
-
     /// Takes over another pose, or other forces, with the deflection `y`.
     pub fn take(&mut self, here: &Placed, y: f64) {
-        let Self { last, depth, .. } = *self;
+        let Self { scales, last, .. } = *self;
         let step = here.z - last.z + here.slope * (y - self.y);
         // Other forces of the same pose do not tell of another one.
         let is_same = step.abs() <= 0.0;
         let resting = if is_same { last.resting } else { here.resting };
         if !is_same {
-            let per_power = step / (self.power(resting) - self.power(last.resting));
+            let per_power = step / (scales.power(resting) - scales.power(last.resting));
             let is_known = per_power > 0.0 && per_power.is_finite();
-            self.course = is_known.then_some(Course { per_power, step: step.abs() / depth });
+            self.course = is_known.then_some(Course { per_power, step: step.abs() / scales.depth });
         }
         (self.last, self.y) = (Placed { resting, ..*here }, y);
-        self.search.take(self.unknowns(), self.residuals());
+        let Self { last, .. } = &*self;
+        self.search.take(scales.unknowns(last, y), scales.residuals(last, y));
     }
 
     /// How the wheel is carried where nothing would be left; and the greatest step to there but for
     /// deflections, over load and depth [-].
     pub fn next(&self) -> Option<(Carried, f64)> {
-        let [next, step] = self.search.next()?;
+        let Self { scales, last, search, .. } = self;
+        let [next, step] = search.next()?;
         let [z, power, aside] = next.into();
-        let (normal, stiffness) = (self.force(power), self.last.stiffness);
-        let carried = Carried { z: z * self.depth, normal, stiffness, aside: aside * self.depth };
+        let (normal, depth) = (scales.force(power), scales.depth);
+        let stiffness = last.stiffness;
+        let carried = Carried { z: z * depth, normal, stiffness, aside: aside * depth };
         Some((carried, step.fixed_rows::<2>(0).amax()))
     }
 
     /// Vertical force of the normal loads with which no load would be missing at the last pose [N].
     pub fn next_normal(&self) -> f64 {
-        self.force(self.search.next_alone(1))
+        self.scales.force(self.search.next_alone(1))
     }
 
     /// The height at which normal loads of a pose beside the last one have the vertical force
     /// `normal` [m].
     pub fn height_of(&self, normal: f64) -> f64 {
-        let Self { last, course, .. } = self;
+        let Self { scales, last, course, .. } = self;
         if let Some(Course { per_power, .. }) = course {
-            return last.z + per_power * (self.power(normal) - self.power(last.resting));
+            return last.z + per_power * (scales.power(normal) - scales.power(last.resting));
         }
         let height = if last.is_lowered { last.z + last.way } else { last.z };
         height + way_between(last.pressed(), last.stiffness, normal)
@@ -222,8 +231,8 @@ impl Balance {
 
     /// Lateral force that is left, over the load [-].
     fn lateral(&self) -> f64 {
-        let Held { load, lateral_stiffness } = self.held;
-        lateral_stiffness.map_or(0.0, |k| self.left()[2] * self.depth * k / load)
+        let Scales { held: Held { load, lateral_stiffness }, depth } = self.scales;
+        lateral_stiffness.map_or(0.0, |k| self.left()[2] * depth * k / load)
     }
 
     /// Whether the next pose may be an evaluation by itself.
@@ -252,7 +261,7 @@ impl Balance {
 
     /// Whether the last pose is where the wheel is carried but for its way down.
     pub fn is_placed(&self) -> bool {
-        let Self { held: Held { load, .. }, last, .. } = self;
+        let Self { scales: Scales { held: Held { load, .. }, .. }, last, .. } = self;
         let is_placed = if last.is_lowered {
             self.misplaced() <= MISPLACED
         } else {
@@ -266,7 +275,8 @@ impl Balance {
     /// them; nothing where that is too far to be told by both, or where rails yield, which these do
     /// not tell of.
     pub fn further(&self, before: &Placed, turns: bool) -> Option<f64> {
-        let Self { held: Held { load, lateral_stiffness }, last, depth, .. } = self;
+        let Self { scales: Scales { held, depth }, last, .. } = self;
+        let Held { load, lateral_stiffness } = held;
         let missing = load - last.vertical;
         let part = missing / (last.vertical - before.vertical);
         let apart = (last.z - before.z).abs() / depth;
