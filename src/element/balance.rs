@@ -19,12 +19,9 @@
 //! height a force is to second order in the step from one to the other, and two of all forces what
 //! they become where a little more load is carried.
 
-use nalgebra::{SMatrix, SVector};
-
 use super::input::Input;
 use super::output::{Output, Patch, heaviest};
 use super::wheel_on_rails::Element;
-use crate::math::broyden::Broyden;
 use crate::normal::{Descent, Pose, way_between};
 
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
@@ -104,55 +101,16 @@ pub(crate) struct Held {
     pub lateral_stiffness: Option<f64>,
 }
 
-/// What unknowns and residuals of a wheel are over: its load, and the depth that goes with it [m].
-#[derive(Clone, Copy, Debug)]
-struct Scales {
-    held: Held,
-    depth: f64,
-}
-
-impl Scales {
-    fn power(&self, force: f64) -> f64 {
-        1.5 * (force / self.held.load).cbrt().powi(2)
-    }
-
-    /// The force of a power [N].
-    fn force(&self, power: f64) -> f64 {
-        self.held.load * (power / 1.5).max(0.0).powf(1.5)
-    }
-
-    /// Height, power of the normal force and deflection of a pose.
-    fn unknowns(&self, at: &Placed, y: f64) -> SVector<f64, 3> {
-        [at.z / self.depth, self.power(at.normal), y / self.depth].into()
-    }
-
-    /// Way, load and deflection left at a pose with the deflection `y`.
-    fn residuals(&self, at: &Placed, y: f64) -> SVector<f64, 3> {
-        let Self { held, depth } = self;
-        let aside = held.lateral_stiffness.map_or(0.0, |k| at.aside * at.carried / k - y);
-        [at.way / depth, 1.5 - self.power(at.carried), aside / depth].into()
-    }
-
-    /// What a step of the unknowns takes off the residuals, as a pose tells.
-    fn matrix(&self, at: &Placed) -> SMatrix<f64, 3, 3> {
-        let Self { held: Held { load, lateral_stiffness }, depth } = self;
-        let ratio = at.carried / at.normal;
-        let growth = load * (at.normal / load).cbrt() / depth;
-        let aside = lateral_stiffness.map_or(0.0, |k| -at.aside * ratio * growth / k);
-        let rows = [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]];
-        SMatrix::from_fn(|i, j| rows[i][j])
-    }
-}
-
-/// One wheel's part of the balance.
+/// One wheel's part of the balance: unknowns and residuals are over the load and its depth.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Balance {
-    scales: Scales,
+    held: Held,
+    depth: f64,
     last: Placed,
     /// Deflection of the last pose [m].
     y: f64,
+    left: [f64; 3],
     course: Option<Course>,
-    search: Broyden<3>,
 }
 
 /// How the force of the normal loads grew from one pose to the last one.
@@ -168,10 +126,9 @@ impl Balance {
     /// From the first pose with the deflection `y`.
     pub fn at(first: &Placed, held: Held, y: f64) -> Self {
         let depth = held.load / first.stiffness * (first.normal / held.load).cbrt();
-        let scales = Scales { held, depth };
-        let [at, left] = [scales.unknowns(first, y), scales.residuals(first, y)];
-        let search = Broyden::new(scales.matrix(first), at, left);
-        Self { scales, last: *first, y, course: None, search }
+        let mut balance = Self { held, depth, last: *first, y, left: [0.0; 3], course: None };
+        balance.left = balance.residuals(first, y);
+        balance
     }
 
     /// The last pose.
@@ -179,46 +136,65 @@ impl Balance {
         self.last
     }
 
-    /// Takes over another pose, or other forces, with the deflection `y`.
-    pub fn take(&mut self, here: &Placed, y: f64) {
-        let Self { scales, last, .. } = *self;
+    /// The unknowns at a height over the rails, with a normal force and a deflection.
+    pub fn unknowns(&self, about: &Carried) -> [f64; 3] {
+        [about.z / self.depth, self.power(about.normal), about.aside / self.depth]
+    }
+
+    /// What unknowns stand for.
+    pub fn carried(&self, unknowns: [f64; 3]) -> Carried {
+        let [z, normal, aside] = unknowns;
+        let normal = self.held.load * (normal / 1.5).max(0.0).powf(1.5);
+        Carried {
+            z: z * self.depth,
+            normal,
+            stiffness: self.last.stiffness,
+            aside: aside * self.depth,
+        }
+    }
+
+    fn power(&self, force: f64) -> f64 {
+        1.5 * (force / self.held.load).cbrt().powi(2)
+    }
+
+    /// Way, load and deflection left at a pose with the deflection `y`.
+    fn residuals(&self, at: &Placed, y: f64) -> [f64; 3] {
+        let aside = self.held.lateral_stiffness.map_or(0.0, |k| at.aside * at.carried / k - y);
+        [at.way / self.depth, 1.5 - self.power(at.carried), aside / self.depth]
+    }
+
+    /// What a step of the unknowns takes off the residuals, as the first pose tells.
+    pub fn matrix(&self) -> [[f64; 3]; 3] {
+        let at = &self.last;
+        let ratio = at.carried / at.normal;
+        let growth = self.held.load * (at.normal / self.held.load).cbrt() / self.depth;
+        let aside = self.held.lateral_stiffness.map_or(0.0, |k| -at.aside * ratio * growth / k);
+        [[1.0, -1.0, at.slope], [0.0, ratio.cbrt().powi(2), 0.0], [0.0, aside, 1.0]]
+    }
+
+    /// Residuals at another pose, or with other forces, with the deflection `y`.
+    pub fn take(&mut self, here: &Placed, y: f64) -> [f64; 3] {
+        let Self { last, depth, .. } = *self;
         let step = here.z - last.z + here.slope * (y - self.y);
         // Other forces of the same pose do not tell of another one.
         let is_same = step.abs() <= 0.0;
         let resting = if is_same { last.resting } else { here.resting };
         if !is_same {
-            let per_power = step / (scales.power(resting) - scales.power(last.resting));
+            let per_power = step / (self.power(resting) - self.power(last.resting));
             let is_known = per_power > 0.0 && per_power.is_finite();
-            self.course = is_known.then_some(Course { per_power, step: step.abs() / scales.depth });
+            self.course = is_known.then_some(Course { per_power, step: step.abs() / depth });
         }
         (self.last, self.y) = (Placed { resting, ..*here }, y);
-        let Self { last, .. } = &*self;
-        self.search.take(scales.unknowns(last, y), scales.residuals(last, y));
-    }
-
-    /// How the wheel is carried where nothing would be left; and the greatest step to there but for
-    /// deflections, over load and depth [-].
-    pub fn next(&self) -> Option<(Carried, f64)> {
-        let Self { scales, last, search, .. } = self;
-        let [next, step] = search.next()?;
-        let [z, power, aside] = next.into();
-        let (normal, depth) = (scales.force(power), scales.depth);
-        let stiffness = last.stiffness;
-        let carried = Carried { z: z * depth, normal, stiffness, aside: aside * depth };
-        Some((carried, step.fixed_rows::<2>(0).amax()))
-    }
-
-    /// Vertical force of the normal loads with which no load would be missing at the last pose [N].
-    pub fn next_normal(&self) -> f64 {
-        self.scales.force(self.search.next_alone(1))
+        self.left = self.residuals(here, y);
+        self.left
     }
 
     /// The height at which normal loads of a pose beside the last one have the vertical force
     /// `normal` [m].
     pub fn height_of(&self, normal: f64) -> f64 {
-        let Self { scales, last, course, .. } = self;
+        let Self { last, course, .. } = self;
         if let Some(Course { per_power, .. }) = course {
-            return last.z + per_power * (scales.power(normal) - scales.power(last.resting));
+            return last.z + per_power * (self.power(normal) - self.power(last.resting));
         }
         let height = if last.is_lowered { last.z + last.way } else { last.z };
         height + way_between(last.pressed(), last.stiffness, normal)
@@ -226,26 +202,25 @@ impl Balance {
 
     /// Residuals at the last pose.
     pub fn left(&self) -> [f64; 3] {
-        self.search.left().into()
+        self.left
     }
 
     /// Lateral force that is left, over the load [-].
     fn lateral(&self) -> f64 {
-        let Scales { held: Held { load, lateral_stiffness }, depth } = self.scales;
-        lateral_stiffness.map_or(0.0, |k| self.left()[2] * depth * k / load)
+        let Held { load, lateral_stiffness } = self.held;
+        lateral_stiffness.map_or(0.0, |k| self.left[2] * self.depth * k / load)
     }
 
     /// Whether the next pose may be an evaluation by itself.
     pub fn is_nearly_met(&self) -> bool {
-        let [way, missing, _] = self.left();
+        let [way, missing, _] = self.left;
         way.abs().max(missing.abs()).max(self.lateral().abs()) <= NEARLY
     }
 
     /// Forces of the last pose that are wrong because of the geometry, over the load [-]. Load that
     /// is missing makes the way longer.
     fn misplaced(&self) -> f64 {
-        let Self { last, course, .. } = self;
-        let [way, missing, _] = self.left();
+        let Self { last, left: [way, missing, _], course, .. } = self;
         let wrong = course.map_or(WRONG[1], |course| {
             let taken_off = self.height_of(last.normal) - last.z - last.way;
             course.step + (0.5 * (taken_off / last.way).abs()).max(WRONG[0])
@@ -261,7 +236,7 @@ impl Balance {
 
     /// Whether the last pose is where the wheel is carried but for its way down.
     pub fn is_placed(&self) -> bool {
-        let Self { scales: Scales { held: Held { load, .. }, .. }, last, .. } = self;
+        let Self { held: Held { load, .. }, last, .. } = self;
         let is_placed = if last.is_lowered {
             self.misplaced() <= MISPLACED
         } else {
@@ -275,8 +250,7 @@ impl Balance {
     /// them; nothing where that is too far to be told by both, or where rails yield, which these do
     /// not tell of.
     pub fn further(&self, before: &Placed, turns: bool) -> Option<f64> {
-        let Self { scales: Scales { held, depth }, last, .. } = self;
-        let Held { load, lateral_stiffness } = held;
+        let Self { held: Held { load, lateral_stiffness }, last, depth, .. } = self;
         let missing = load - last.vertical;
         let part = missing / (last.vertical - before.vertical);
         let apart = (last.z - before.z).abs() / depth;
@@ -290,7 +264,7 @@ impl Balance {
 
     /// Whether no load is missing there.
     pub fn is_carried(&self) -> bool {
-        let [_, missing, _] = self.left();
+        let [_, missing, _] = self.left;
         missing.abs() <= MISSING
     }
 }

@@ -7,12 +7,15 @@
 //! load is missing, it is its forces that are found anew, or, where little is, all of them take the
 //! last step at once.
 
+use nalgebra::SMatrix;
+
 use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, normal_force_down};
 use super::input::Input;
 use super::output::{Output, heaviest};
 use super::parameters::{FoundationModel, Side};
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
+use crate::math::broyden::Broyden;
 use crate::normal::{Descent, Pose, way_between};
 
 /// Depth over that of the load about from which on a pose is too far for a guess.
@@ -78,6 +81,11 @@ impl PosedWheel {
     /// Its balance, with this as the first pose.
     pub fn balance(&self) -> Balance {
         Balance::at(&self.placed, self.held, self.about.aside)
+    }
+
+    /// Where the balance is taken.
+    pub fn tried(&self) -> Carried {
+        Carried { normal: self.placed.normal, ..self.about }
     }
 }
 
@@ -149,17 +157,19 @@ impl Element {
         input: &mut Input,
         output: &mut Output,
     ) -> Option<Found> {
-        let mut balance = None::<Balance>;
+        let mut search = None::<(Balance, Broyden<3>)>;
         let Way { mut about, mut pose, to } = way;
         let mut before = None::<Placed>;
         for _ in 0..MOST_POSES {
             *input = self.put(given, &held, &about);
             let here = self.press(&about, pose, input, output)?;
             let Placed { way, normal, stiffness, left_out, .. } = here;
-            let is_first = balance.is_none();
-            let balance = balance.get_or_insert_with(|| Balance::at(&here, held, about.aside));
+            let tried = Carried { normal, ..about };
+            let is_first = search.is_none();
+            let (balance, search) = search.get_or_insert_with(|| begin(&here, held, &tried));
             if !is_first {
-                balance.take(&here, about.aside);
+                let left = balance.take(&here, about.aside);
+                search.take(balance.unknowns(&tried).into(), left.into());
             }
             let is_placed = balance.is_placed();
             if is_placed && balance.is_carried() {
@@ -184,14 +194,16 @@ impl Element {
             // Contacts that found no room are told by a search alone.
             if is_placed && left_out == 0 {
                 // The geometry is that of the pose: it is the load alone that has to change.
-                let normal = balance.next_normal();
-                (about, pose) = (Carried { normal, ..about }, Pose::Same(way));
+                let [z, _, aside] = balance.unknowns(&tried);
+                let normal = balance.carried([z, search.next_alone(1), aside]).normal;
+                (about, pose) = (Carried { normal, ..tried }, Pose::Same(way));
                 continue;
             }
-            let (next, step) = balance.next()?;
-            if !is_first && step > LONGEST {
+            let [at, step] = search.next()?;
+            if !is_first && step.fixed_rows::<2>(0).amax() > LONGEST {
                 return None;
             }
+            let next = balance.carried(at.into());
             if to == To::OneBefore && balance.is_nearly_met() {
                 return Some(Found { carried: next, left_out });
             }
@@ -335,4 +347,13 @@ impl Element {
         }
         None
     }
+}
+
+/// A balance at the first pose, and the search that goes on from it.
+fn begin(here: &Placed, held: Held, tried: &Carried) -> (Balance, Broyden<3>) {
+    let balance = Balance::at(here, held, tried.aside);
+    let rows = balance.matrix();
+    let matrix = SMatrix::from_fn(|i, j| rows[i][j]);
+    let at = balance.unknowns(tried).into();
+    (balance, Broyden::new(matrix, at, balance.left().into()))
 }

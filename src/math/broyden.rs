@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 /// Where the unknowns are, what is left of the equations there, and what a step is believed to take
 /// off that.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Broyden<const N: usize> {
     matrix: SMatrix<f64, N, N>,
     at: SVector<f64, N>,
@@ -27,11 +27,6 @@ impl<const N: usize> Broyden<N> {
             self.matrix += off * step.transpose() / square;
         }
         (self.at, self.left) = (at, left);
-    }
-
-    /// What is left where the unknowns are.
-    pub fn left(&self) -> SVector<f64, N> {
-        self.left
     }
 
     /// Where nothing would be left, and the step to there; nothing where the matrix is singular.

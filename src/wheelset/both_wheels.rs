@@ -3,12 +3,16 @@
 //! Unknowns are those of each wheel by itself. Its height is that of its place of contact: what the
 //! roll of the axle does to that is taken off. Heights of both tell that of the axle, and its roll.
 
+use nalgebra::{SMatrix, SVector};
+
 use super::{Input, LEFT, RIGHT};
 use crate::element::{Balance, Carried, Placed, PosedWheel};
+use crate::math::broyden::Broyden;
 
-/// Balances of both wheels.
+/// Balances of both wheels, solved together.
 pub struct BothWheels {
     wheels: [Wheel; 2],
+    search: Broyden<6>,
     /// Places of the markers along the axle [m].
     markers: [f64; 2],
     /// Height and roll of the wheelset at the last pose [m, rad].
@@ -46,6 +50,11 @@ impl Wheel {
         self.down_with_roll = down_with_roll;
         self.balance.take(&Placed { z: self.height, ..placed }, about.aside);
     }
+
+    /// The unknowns of a pose.
+    fn unknowns(&self, posed: &PosedWheel) -> [f64; 3] {
+        self.balance.unknowns(&Carried { z: self.height, ..posed.tried() })
+    }
 }
 
 impl BothWheels {
@@ -53,7 +62,13 @@ impl BothWheels {
     /// [m].
     pub fn at(input: &Input, markers: [f64; 2], posed: &[PosedWheel; 2]) -> Self {
         let wheels = posed.each_ref().map(Wheel::at);
-        Self { wheels, markers, at: height_and_roll(input), left_before: 0.0 }
+        let mut matrix = SMatrix::<f64, 6, 6>::zeros();
+        for (k, wheel) in wheels.iter().enumerate() {
+            let own = SMatrix::<f64, 3, 3>::from(wheel.balance.matrix()).transpose();
+            matrix.fixed_view_mut::<3, 3>(3 * k, 3 * k).copy_from(&own);
+        }
+        let search = Broyden::new(matrix, unknowns(&wheels, posed), residuals(&wheels));
+        Self { wheels, search, markers, at: height_and_roll(input), left_before: 0.0 }
     }
 
     /// Takes over what another pose of both tells.
@@ -65,12 +80,12 @@ impl BothWheels {
         for (wheel, posed) in self.wheels.iter_mut().zip(posed) {
             wheel.take(roll - before, posed);
         }
+        self.search.take(unknowns(&self.wheels, posed), residuals(&self.wheels));
     }
 
     /// Greatest residual at the last pose, over loads and their depths [-].
     fn left(&self) -> f64 {
-        let left = self.wheels.iter().flat_map(|wheel| wheel.balance.left());
-        left.fold(0.0, |greatest, left| left.abs().max(greatest))
+        residuals(&self.wheels).amax()
     }
 
     /// What the next step will leave of that, if it leaves as great a share as the last one.
@@ -90,13 +105,13 @@ impl BothWheels {
     /// wheels but for their heights; the greatest step to there but for
     /// deflections, over loads and their depths [-].
     pub fn next(&self, input: &mut Input, about: &mut [Carried; 2]) -> Option<f64> {
+        let [next, step] = self.search.next()?;
         let (mut down, mut by_roll, mut most) = ([0.0; 2], [0.0; 2], 0.0_f64);
         for k in [RIGHT, LEFT] {
             let Wheel { balance, height, down_with_roll, .. } = &self.wheels[k];
-            let (next, step) = balance.next()?;
-            about[k] = next;
+            about[k] = balance.carried([0, 1, 2].map(|i| next[3 * k + i]));
             (down[k], by_roll[k]) = (about[k].z - height, self.markers[k] - down_with_roll);
-            most = most.max(step);
+            most = most.max(step.fixed_rows::<2>(3 * k).amax());
         }
         let turn = (down[RIGHT] - down[LEFT]) / (by_roll[RIGHT] - by_roll[LEFT]);
         let [z, roll] = self.at;
@@ -104,6 +119,17 @@ impl BothWheels {
         input.wheelset.roll = roll + turn;
         turn.is_finite().then_some(most)
     }
+}
+
+/// Of the right wheel, then of the left one.
+fn unknowns(wheels: &[Wheel; 2], posed: &[PosedWheel; 2]) -> SVector<f64, 6> {
+    let [right, left] = [RIGHT, LEFT].map(|k| wheels[k].unknowns(&posed[k]));
+    SVector::from_iterator(right.into_iter().chain(left))
+}
+
+/// What is left of both balances, in the same order.
+fn residuals(wheels: &[Wheel; 2]) -> SVector<f64, 6> {
+    SVector::from_iterator(wheels.iter().flat_map(|wheel| wheel.balance.left()))
 }
 
 /// Height and roll of the wheelset of an input [m, rad].
