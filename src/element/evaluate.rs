@@ -37,6 +37,16 @@ impl Element {
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
+        self.evaluate_at(input, output).map(|_| ())
+    }
+
+    /// The same; the input of a right side at which the forces were found, with the height of the
+    /// wheel and the place of the rails.
+    pub(super) fn evaluate_at(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+    ) -> Result<Input, ContactError> {
         let admitted = self.admitted(input).inspect_err(|_| self.expected = None)?;
         self.work.evaluations += 1;
         let mut input = self.side.mirror(admitted);
@@ -47,7 +57,7 @@ impl Element {
         output.fallback_count = self.fallback_count();
         self.side.mirror_in_place(output);
         self.report_wear(output);
-        Ok(())
+        Ok(input)
     }
 
     /// Sums the forces of all rails for the `input` of a right side; returns how many contacts or

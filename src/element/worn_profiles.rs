@@ -3,7 +3,7 @@
 //! [`Element::evaluate`] never wears anything off: whoever knows that time has passed says so with
 //! [`Element::advance`]. New profiles come at the ends of intervals, see [`crate::wear::update`].
 
-use super::parameters::{RAILS, VerticalMode};
+use super::parameters::{FoundationModel, RAILS, VerticalMode};
 use super::steps::check_duration;
 use super::wear_sums::WearState;
 use super::{Element, Input, Output};
@@ -58,16 +58,13 @@ impl Element {
         if self.models.wear.is_none() || duration <= 0.0 {
             return self.evaluate(input, output);
         }
-        // Where the height is searched for, wear belongs to the height found.
-        let is_search = self.vertical_mode == VerticalMode::Load;
-        let mut found = *input;
+        // Where height or rails are searched for, wear belongs to where they were found.
+        let is_search = self.vertical_mode == VerticalMode::Load
+            || self.foundation.model == FoundationModel::Massless;
         if is_search {
-            self.evaluate(input, output)?;
-            found.wheel.position[2] = output.wheel_z;
-            let mut at_height = Output::default();
-            let right = self.side.mirror(found);
+            let found = self.evaluate_at(input, output)?;
             self.record_for(duration);
-            self.forces(&right, &mut at_height);
+            self.forces(&found, &mut Output::default());
         } else {
             self.record_for(duration);
             let evaluated = self.evaluate(input, output);

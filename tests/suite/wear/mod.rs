@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
 use wheelrail::element::parameters::{
-    CreepageModel, NormalModel, Side, TangentialModel, VerticalMode, WearDistribution, WearModel,
+    CreepageModel, FoundationModel, Motion, NormalModel, Side, TangentialModel, VerticalMode,
+    WearDistribution, WearModel,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::profile::Profile;
@@ -259,4 +260,33 @@ fn fatigue_numbers_of_a_patch_are_those_of_their_formulas() {
     let used = patch.creep_force[0].hypot(patch.creep_force[1]) / patch.normal_force;
     let index = used - 2.0 * patch.area * 3e8 / (3.0 * patch.normal_force);
     assert_relative_eq!(patch.surface_fatigue_index, index, max_relative = 1e-12);
+}
+
+#[test]
+fn worn_is_what_the_forces_dissipate_wherever_height_and_rails_are_found() {
+    let vertical = [VerticalMode::Penetration, VerticalMode::Load];
+    for (k, foundation) in
+        [FoundationModel::Rigid, FoundationModel::Massless].into_iter().enumerate()
+    {
+        for vertical_mode in vertical {
+            let mut p =
+                Parameters { vertical_mode, motion: Motion::Rolling, ..Parameters::default() };
+            p.wear.model = WearModel::FrictionalWork;
+            p.foundation.model = foundation;
+            let mut element = element(&p);
+            let mut input = input(&element, p.side, 5e-3 * k as f64, 1e-4);
+            // Not what it rolls with.
+            (input.wheel.velocity[0], input.wheel.pitch_rate) = (30.0, -1.0);
+            let mut output = Output::default();
+            element.accumulate(&input, &mut output, 1e-2).unwrap();
+            let law = p.wear.wheel.frictional_work.coefficient / p.wear.wheel.density;
+            let volume = law * output.frictional_power * 1e-2;
+            assert!(volume > 0.0);
+            assert_relative_eq!(
+                output.wheel_wear.volume,
+                volume,
+                max_relative = tolerance::WORN_VOLUME
+            );
+        }
+    }
 }
