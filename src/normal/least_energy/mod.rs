@@ -135,6 +135,10 @@ impl StripSolver {
         if self.lattice.nodes.is_empty() {
             return 0;
         }
+        // Where the line folds at all of them, none may overlap.
+        if !self.lattice.nodes.iter().any(|node| node.overlap > 0.0) {
+            return 1;
+        }
         let before = self.newton.steps;
         let mut settled = pose.is_same() || self.newton.solve(&self.lattice, pose == Pose::Near);
         if let Some(descent) = descent {

@@ -24,6 +24,9 @@ pub(super) struct Sample<T> {
     pub at: LinePlace<T>,
     /// Number of the interval of overlap.
     pub interval: usize,
+    /// Parameter of the line that radii are taken at: straight on between samples, so that one that
+    /// comes in changes none [m].
+    pub straight: T,
     /// Derivatives of the overlap and of the parameter by the coordinate across, before and behind
     /// the place: only where the line folds they are two [-].
     pub slope: [T; 2],
@@ -85,7 +88,8 @@ pub(super) fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> 
     let (x, y) = (mix(a.at.x, b.at.x), mix(a.at.y, b.at.y));
     let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
     let at = LinePlace { u, y, overlap, x, tangent, ..a.at };
-    Sample { at, interval: a.interval, slope: [slope; 2], rate: [rate; 2], integrals: [one, two] }
+    let (slope, rate, straight) = ([slope; 2], [rate; 2], mix(a.straight, b.straight));
+    Sample { at, interval: a.interval, straight, slope, rate, integrals: [one, two] }
 }
 
 /// Radius of the normal section along x at the place `at` the share `t` of the way between two
@@ -99,13 +103,18 @@ pub(super) fn radius<T: Real>(
     t: T,
     at: LinePlace<T>,
 ) -> T {
-    let u = a.at.u + (b.at.u - a.at.u) * t;
+    let u = a.straight + (b.straight - a.straight) * t;
     line.radius(&LinePlace { u, ..at })
 }
 
-/// What both ends of a step say of the place across that was found in its middle.
+/// What both ends of a step say of the place across that was found in its middle, or, where the line
+/// folds and that is not between them, of the nearer one.
 fn expected<T: Real>([from, found, to]: [&Sample<T>; 3]) -> Sample<T> {
-    between(from, to, (found.at.y - from.at.y) / (to.at.y - from.at.y))
+    let h = to.at.y - from.at.y;
+    if h.value() <= 0.0 {
+        return *found;
+    }
+    between(from, to, ((found.at.y - from.at.y) / h).within(0.0, 1.0))
 }
 
 /// How far the overlap found in the middle of a step is from what both ends say, over the step [m²];
@@ -124,7 +133,7 @@ impl<T: Real> Sample<T> {
     fn of(at: LinePlace<T>, interval: usize) -> Self {
         let rate = T::from(1.0) / at.dy;
         let (slope, rate) = ([at.overlap_slope * rate; 2], [rate; 2]);
-        Self { at, interval, slope, rate, integrals: [T::from(0.0); 2] }
+        Self { at, interval, straight: at.u, slope, rate, integrals: [T::from(0.0); 2] }
     }
 
     /// Its place across, and the overlap there with both slopes.
@@ -144,8 +153,9 @@ impl<T: Real> Sample<T> {
             tangent: both(a.tangent, b.tangent),
             ..*b
         };
+        let straight = mix(self.straight, other.straight);
         let (slope, rate) = (both(self.slope, other.slope), both(self.rate, other.rate));
-        Self { at, slope, rate, ..*other }
+        Self { at, straight, slope, rate, ..*other }
     }
 }
 
