@@ -54,12 +54,14 @@ const REACH: f64 = 0.02;
 const BEYOND: f64 = 1e-3;
 
 impl ContactSetup<'_> {
-    /// The contact laid flat.
+    /// The contact laid flat, without the overlaps that others have `taken`, each from one parameter
+    /// of the contact line to another; its own are taken then [m].
     pub fn flattened(
         &self,
         separation: &mut LineSeparation,
         radius: f64,
         minimum_speed: f64,
+        taken: &mut Vec<[f64; 2]>,
     ) -> FlatContact {
         let [start, end] = self.line.range();
         let (from, to) = ((self.contact.u - REACH).max(start), (self.contact.u + REACH).min(end));
@@ -85,6 +87,13 @@ impl ContactSetup<'_> {
                 friction_across.extend(own.map(|own| (at.y, own)));
             }
         }
+        let kept = self.apart(&overlaps, &points, taken);
+        let is_kept = |y: f64| y >= kept[0] && y <= kept[1];
+        points.retain(|&[y, _]| is_kept(y));
+        overlaps.retain(|&[_, y, _]| is_kept(y));
+        friction_across.retain(|&(y, _)| is_kept(y));
+        let runs = overlaps.split(|[.., weight]| *weight <= 0.0);
+        taken.extend(runs.filter_map(|run| Some([run.first()?[0], run.last()?[0]])));
         // The overlap around the contact point, not others that it reaches to.
         let own = overlaps
             .split(|[.., weight]| *weight <= 0.0)
@@ -120,6 +129,23 @@ impl ContactSetup<'_> {
             wheel: outline,
             rail_head: rail_head.collect(),
         }
+    }
+
+    /// From where to where across it lies apart from what others have `taken`: up to the greatest
+    /// separation on the way to them; `overlaps` have the parameters and places of its `points` [m].
+    fn apart(&self, overlaps: &[[f64; 3]], points: &[[f64; 2]], taken: &[[f64; 2]]) -> [f64; 2] {
+        let own = self.contact.u;
+        let before = taken.iter().map(|run| run[1]).filter(|&u| u < own).reduce(f64::max);
+        let behind = taken.iter().map(|run| run[0]).filter(|&u| u > own).reduce(f64::min);
+        let greatest = |from: f64, to: f64| {
+            let between =
+                overlaps.iter().zip(points).filter(|(at, _)| at[0] >= from && at[0] <= to);
+            between.map(|(_, point)| *point).max_by(|a, b| a[1].total_cmp(&b[1])).map(|at| at[0])
+        };
+        [
+            before.and_then(|u| greatest(u, own)).unwrap_or(f64::NEG_INFINITY),
+            behind.and_then(|u| greatest(own, u)).unwrap_or(f64::INFINITY),
+        ]
     }
 
     /// Longitudinal, lateral and spin creepage that a plane has at the contact point if it creeps as

@@ -38,7 +38,17 @@ impl RailContact {
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = varying(line, self.around.as_deref());
-        let contacts = self.search.contacts.iter().map(|&contact| {
+        // An overlap belongs to the deepest of the contacts that reach it.
+        let mut order: Vec<usize> = (0..self.search.contacts.len()).collect();
+        let depth = |i: usize| self.search.contacts[i].penetration;
+        order.sort_by(|&a, &b| depth(b).total_cmp(&depth(a)));
+        let mut taken = Vec::<[f64; 2]>::new();
+        let mut flat = vec![None; order.len()];
+        for i in order {
+            let contact = self.search.contacts[i];
+            if taken.iter().any(|&[from, to]| contact.u >= from && contact.u <= to) {
+                continue;
+            }
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let even_radius = line.wheel_point(contact.u).section_radius;
             let radius = RailOutline::at_rest(&self.rail).radius_along(
@@ -60,9 +70,10 @@ impl RailContact {
                 friction: self.friction.as_ref(),
                 is_on_arc: false,
             };
-            forces.flattened(&mut separation, radius, minimum_speed)
-        });
-        contacts.collect()
+            let found = forces.flattened(&mut separation, radius, minimum_speed, &mut taken);
+            flat[i] = Some(found);
+        }
+        flat.into_iter().flatten().collect()
     }
 
     /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no
