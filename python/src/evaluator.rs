@@ -160,7 +160,7 @@ impl<S: InBulk> Evaluator<S> {
     ) -> PyResult<()> {
         let target = (out.as_slice_mut()?, states.as_slice_mut()?);
         self.for_rows(py, inputs, target, threads, false, |worker, _, numbers| {
-            numbers[0] = worker.subject.touching_height(&worker.values.input);
+            numbers[0] = worker.subject.touching_height(&worker.values.input)?;
             Ok(FINE)
         })?;
         Ok(())
@@ -184,10 +184,18 @@ impl<S: InBulk> Evaluator<S> {
         let Self { values, subject, .. } = self;
         let mut values = values.clone();
         let done = py.detach(|| {
-            for (row, numbers) in out.chunks_mut(readers.len().max(1)).enumerate() {
+            let put_row = |values: &mut ValuesOf<S>, row: usize| {
                 for (reference, column) in &columns {
-                    put(&mut values, *reference, column[row]);
+                    put(values, *reference, column[row]);
                 }
+            };
+            // A call that is refused leaves the state as it was.
+            for row in 0..durations.len() {
+                put_row(&mut values, row);
+                S::check(&values.input).map_err(|error| (row, error))?;
+            }
+            for (row, numbers) in out.chunks_mut(readers.len().max(1)).enumerate() {
+                put_row(&mut values, row);
                 let ValuesOf { input, output, .. } = &mut values;
                 subject.advance_all(input, output, durations[row]).map_err(|error| (row, error))?;
                 for (number, read) in numbers.iter_mut().zip(&readers) {

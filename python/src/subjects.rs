@@ -31,9 +31,18 @@ pub trait InBulk:
         rates: &mut Vec<Self::Output>,
     ) -> Result<(), ContactError>;
 
+    /// Whether an input is one that is evaluated.
+    ///
+    /// # Errors
+    /// The input at fault.
+    fn check(input: &Self::Input) -> Result<(), ContactError>;
+
     /// Height of the marker or the centre at which the first wheel touches; NaN beside the rails
     /// [m].
-    fn touching_height(&mut self, input: &Self::Input) -> f64;
+    ///
+    /// # Errors
+    /// The input at fault.
+    fn touching_height(&mut self, input: &Self::Input) -> Result<f64, ContactError>;
 
     /// Starting height of first touch [m].
     fn nominal_z(&self) -> f64;
@@ -89,8 +98,13 @@ impl InBulk for Element {
         Ok(())
     }
 
-    fn touching_height(&mut self, input: &Input) -> f64 {
-        self.touch(input).unwrap_or(f64::NAN)
+    fn check(input: &Input) -> Result<(), ContactError> {
+        input.check()
+    }
+
+    fn touching_height(&mut self, input: &Input) -> Result<f64, ContactError> {
+        input.check()?;
+        Ok(self.touch(input).unwrap_or(f64::NAN))
     }
 
     fn nominal_z(&self) -> f64 {
@@ -112,7 +126,12 @@ impl InBulk for Wheelset {
         one_by_one(self, input, by, rates)
     }
 
-    fn touching_height(&mut self, input: &wheelset::Input) -> f64 {
+    fn check(input: &wheelset::Input) -> Result<(), ContactError> {
+        input.check()
+    }
+
+    fn touching_height(&mut self, input: &wheelset::Input) -> Result<f64, ContactError> {
+        input.check()?;
         let z = input.wheelset.position[2];
         let mut at = wheelset::Output::default();
         (at.wheelset_z, at.roll) = (z, input.wheelset.roll);
@@ -120,7 +139,7 @@ impl InBulk for Wheelset {
         let heights = sides.iter().zip(self.elements_mut()).filter_map(|(side, element)| {
             Some(element.touch(side)? - (side.wheel.position[2] - z))
         });
-        heights.reduce(f64::min).unwrap_or(f64::NAN)
+        Ok(heights.reduce(f64::min).unwrap_or(f64::NAN))
     }
 
     fn nominal_z(&self) -> f64 {

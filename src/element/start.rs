@@ -110,7 +110,8 @@ impl Element {
     }
 
     /// The marker height at which the first contact appears when the wheel comes down from above,
-    /// at the y, roll and yaw of `start`; its own height where it stands beside the rails [m].
+    /// at the y, roll and yaw of `start`; its own height where it stands beside the rails, and not a
+    /// number where [`evaluate`](Self::evaluate) refuses the input [m].
     ///
     /// A little below it, the wheel moved sideways, poses with several contacts are found:
     ///
@@ -134,17 +135,18 @@ impl Element {
     /// # Ok::<(), wheelrail::error::ContactError>(())
     /// ```
     pub fn touching_height(&mut self, start: &Input) -> f64 {
-        self.touch(start).unwrap_or(start.wheel.position[2])
+        let beside = start.check().map_or(f64::NAN, |()| start.wheel.position[2]);
+        self.touch(start).unwrap_or(beside)
     }
 
     /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the
-    /// rails.
+    /// rails or the input is refused.
     pub fn touch(&mut self, start: &Input) -> Option<f64> {
         self.touch_with_overlap(start).map(|touch| touch.height)
     }
 
     fn touch_with_overlap(&mut self, start: &Input) -> Option<Touch> {
-        let input = self.side.mirror(*start);
+        let input = self.side.mirror(start.admitted().ok()?);
         first_touch(&mut self.rails, &input)
     }
 

@@ -71,11 +71,14 @@ impl<S: Described> Instance<S> {
         (written, read)
     }
 
-    /// Writes the worn profiles that the parameters ask for.
+    /// Writes the worn profiles that the parameters ask for, where bodies wear.
     pub(super) fn write_worn_profiles(&self) -> Result<(), FmiError> {
         let Some(element) = &self.element else { return Ok(()) };
         let all = S::parameters_of_elements(&self.values.parameters);
         for ((prefix, parameters), element) in S::PREFIXES.iter().zip(all).zip(element.elements()) {
+            if parameters.wear.model == WearModel::Off {
+                continue;
+            }
             let worn_wheel = ("wear.wheel.file", &parameters.wheel.worn_file, element.worn_wheel());
             let worn_rails = RAIL_FILES.iter().enumerate().map(|(k, (name, _))| {
                 (*name, &parameters.rails[k].worn_file, element.worn_rail(k))

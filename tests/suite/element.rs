@@ -8,8 +8,10 @@ use crate::common::wheel::{
 };
 use crate::tolerance;
 use wheelrail::element::output::Wrench;
-use wheelrail::element::parameters::{CreepageModel, NormalModel, Side, TangentialModel};
-use wheelrail::element::{Element, Input, Parameters};
+use wheelrail::element::parameters::{
+    CreepageModel, NormalModel, Side, TangentialModel, VerticalMode,
+};
+use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// The default models, and curved creepage on the corrected contact area.
 fn both_descriptions() -> [Parameters; 2] {
@@ -342,5 +344,99 @@ fn the_height_of_first_touch_is_known_to_the_last_digit() {
         };
         assert!(contacts(touching) > 0, "{input:?}");
         assert_eq!(contacts(touching.next_down()), 0, "{input:?}");
+    }
+}
+
+#[test]
+fn an_overlap_that_two_contacts_reach_is_laid_flat_once() {
+    let parameters = Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() };
+    let mut input = Input::default();
+    input.wheel.position[1] = 0.755_663;
+    input.wheel.yaw = -0.002_366;
+    input.wheel_load = 47_722.0;
+    let mut element = Element::new(&parameters, &input, &[]).unwrap();
+    let mut output = Output::default();
+    element.evaluate(&input, &mut output).unwrap();
+    input.wheel.position[2] = output.wheel_z;
+    // The place that reaches 0.8 um deep beside the loaded one is no second contact of its load.
+    let contacts = element.flat_contacts(&input).unwrap();
+    assert_eq!((output.patch_count, contacts.len()), (1, 1));
+}
+
+#[test]
+fn no_height_of_first_touch_comes_of_a_number_that_is_none() {
+    let mut element = Element::new(&Parameters::default(), &Input::default(), &[]).unwrap();
+    for break_it in [
+        |input: &mut Input| input.wheel.position[1] = f64::NAN,
+        |input: &mut Input| input.wheel.yaw = f64::INFINITY,
+        |input: &mut Input| input.wheel.position[2] = f64::NAN,
+    ] {
+        let mut input = Input::default();
+        break_it(&mut input);
+        assert!(element.touching_height(&input).is_nan());
+        assert!(element.touch(&input).is_none());
+    }
+}
+
+#[test]
+fn where_the_contact_line_folds_forces_stay_those_of_a_wheel() {
+    // As deep as a wrong start, or a trial step of an integrator, may put a wheel.
+    let poses = [
+        (
+            ["S1002", "60E1"],
+            [
+                0.767_802_915_345_906_7,
+                -0.459_838_661_640_632_86,
+                0.005_868_422_627_421_102,
+                -0.041_875_669_075_498_306,
+            ],
+        ),
+        (
+            ["S1002", "60E1"],
+            [0.755_059_183_530_687, -0.46, -0.001_981_820_227_824_553, -0.035_025_048_902_179_55],
+        ),
+        (
+            ["S1002", "54E1"],
+            [
+                0.743_950_688_944_237_3,
+                -0.458_866_853_528_51,
+                -0.037_313_559_131_892_06,
+                0.039_895_752_957_705_755,
+            ],
+        ),
+        (
+            ["S1002", "arc:0.3"],
+            [
+                0.757_328_507_371_125_4,
+                -0.471_408_504_172_941_7,
+                -0.004_239_530_335_236_374,
+                0.011_769_217_773_909_787,
+            ],
+        ),
+        (
+            ["convex:0.3", "arc:0.3"],
+            [
+                0.718_205_034_624_300_2,
+                -0.454_399_127_151_646_5,
+                0.001_776_911_436_787_389_6,
+                0.007_333_326_032_677_093,
+            ],
+        ),
+    ];
+    for ([wheel, rail], [y, z, roll, yaw]) in poses {
+        let mut parameters = Parameters::default();
+        parameters.wheel.profile = wheel.into();
+        parameters.rails[0].profile = rail.into();
+        let mut element = Element::new(&parameters, &Input::default(), &[]).unwrap();
+        let mut output = Output::default();
+        let mut force = |z: f64| {
+            let mut input = Input::default();
+            input.wheel.position = [0.0, y, z];
+            (input.wheel.roll, input.wheel.yaw) = (roll, yaw);
+            element.evaluate(&input, &mut output).unwrap();
+            output.wheel.force[2]
+        };
+        let (here, above) = (force(z), force(z - 1e-7));
+        assert!((here / above - 1.0).abs() < 0.01, "{wheel} on {rail}: {here:e} {above:e}");
     }
 }
