@@ -103,7 +103,7 @@ impl InBulk for Element {
     }
 
     fn touching_height(&mut self, input: &Input) -> Result<f64, ContactError> {
-        input.check()?;
+        Self::check(input)?;
         Ok(self.touch(input).unwrap_or(f64::NAN))
     }
 
@@ -131,7 +131,7 @@ impl InBulk for Wheelset {
     }
 
     fn touching_height(&mut self, input: &wheelset::Input) -> Result<f64, ContactError> {
-        input.check()?;
+        Self::check(input)?;
         let z = input.wheelset.position[2];
         let mut at = wheelset::Output::default();
         (at.wheelset_z, at.roll) = (z, input.wheelset.roll);

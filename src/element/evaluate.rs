@@ -9,9 +9,9 @@ use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 
 impl Element {
-    /// The contacts for `input` as planar problems, as a right wheel has them; allocates. In load
-    /// mode the height has to be that found. Poses with several contacts:
-    /// [`touching_height`](Self::touching_height).
+    /// The contacts for `input` as planar problems, as a right wheel has them; allocates. An overlap
+    /// that several reach is part of the deepest of them alone. In load mode the height has to be
+    /// that found. Poses with several contacts: [`touching_height`](Self::touching_height).
     ///
     /// # Errors
     /// The input at fault, by its FMU name.
