@@ -287,6 +287,10 @@ impl Slices {
             while begin < row.len() {
                 let is_broken = |i: &usize| broken[rows.parts[j]][first + i];
                 let end = (begin..row.len() - 1).find(is_broken).unwrap_or(row.len() - 1);
+                // Between two breaks a slice alone has no length; at an end of the body it goes on.
+                let is_at_end = first + begin == 0 || first + end + 1 == rows.places.len();
+                let run = [first + begin, first + end].map(|i| i as u32);
+                let run = Some(run).filter(|[begin, end]| begin < end || is_at_end);
                 let places = &rows.places[first + begin..=first + end];
                 for c in 0..4 {
                     let mut own: Vec<f64> = row[begin..=end].iter().map(|value| value[c]).collect();
@@ -301,7 +305,7 @@ impl Slices {
                     for (i, (value, slope)) in own.into_iter().zip(slopes).enumerate() {
                         let at = (first + begin + i) * count + j;
                         (rows.knots[at].value[c], rows.knots[at].slope[c]) = (value, slope);
-                        rows.runs[at] = Some([(first + begin) as u32, (first + end) as u32]);
+                        rows.runs[at] = run;
                     }
                 }
                 begin = end + 1;
