@@ -17,6 +17,7 @@
 
 mod about_axle;
 mod bounds;
+mod bracket;
 mod few;
 mod mean_course;
 mod meeting;

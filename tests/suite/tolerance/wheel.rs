@@ -130,7 +130,7 @@ super::entry::tolerances! {
 
     /// The same by boundary elements, on slices or under sections that are all the same: their rows
     /// are found to a nanometre, over depths of some 0.05 mm.
-    EQUAL_SLICES_ELEMENTS: f64 = 1e-5, target 1e-9;
+    EQUAL_SLICES_ELEMENTS: f64 = 2e-5, target 1e-9;
 
     /// First touch of a wheel of rough sections against a scan of its surface, worst [m]: rows 3 mm
     /// apart are met at places whose heights change across by slopes of 2e-3, and an outline is

@@ -7,12 +7,13 @@ pub mod crossing;
 mod drifting_sections;
 mod equal_sections;
 mod parts;
+mod steep_sides;
 
 use self::crossing::crossing;
 use crate::allocations;
 use crate::common;
 use crate::tolerance;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 use std::fs;
 

@@ -31,13 +31,14 @@
 use super::about_axle::{OnProfile, Parts, Polar, Raised};
 use super::over::{Over, Way};
 use crate::geometry::sections::rows::along::Along;
-use crate::geometry::sections::rows::met::{Gap, Met, Opposite};
+use crate::geometry::sections::rows::met::{Gap, Met, Opposite, Untouched};
 use crate::geometry::sections::rows::plane::dot;
 use crate::geometry::sections::rows::surface::{RowPoint, Surface};
 use crate::math::real::Real;
 
-/// Least bend of a row against the wheel, over that of the wheel.
-pub(super) const MIN_BEND: f64 = 0.1;
+/// Least bend of a row against the wheel where it is met, over that of the wheel: by less it lies
+/// flat on it, and any place is as good.
+const MIN_BEND: f64 = 1e-3;
 
 /// A row of a surface on a run of slices.
 #[derive(Clone, Copy)]
@@ -204,6 +205,7 @@ impl<T: Real> Spot<T> {
             gap,
             along: met,
             opposite: Some(opposite),
+            untouched: Untouched::default(),
         }
     }
 }
@@ -215,26 +217,27 @@ fn apart<T: Real>(direction: Parts<T>, grows: [T; 2]) -> T {
 }
 
 impl<T: Real> Over<'_, T> {
-    /// Row `number` at a `place` where nothing touches it, of which the `point` is that: as far from
-    /// the wheel as it is there.
-    pub fn aside(&self, number: usize, place: T, point: &RowPoint<T>) -> Met<T> {
-        let [_, _, dy, dz] = point.value;
+    /// Row `number` where it is `untouched`, of which the `point` there is that: as far from the
+    /// wheel as it is there.
+    pub fn aside(&self, number: usize, untouched: Untouched, point: &RowPoint<T>) -> Met<T> {
+        let [y, z, dy, dz] = point.value;
+        let place = T::from(untouched.place);
         let (x, direction) = match self.course() {
             None => (place, [dy, dz]),
             Some(course) => (self.way(place, point).x, course.straight_across(point)),
         };
-        let [y, z, ..] = point.value;
         let here = self.beside(place, [y, z]);
         let depth = dot(self.seen_from_marker(here), self.down);
-        let raised =
-            Raised::at(self, &Polar::of(self, place, [point.value[0], point.value[1]])).height;
-        let lower = (x * x + depth * depth).sqrt() - depth - raised;
+        let raised = Raised::at(self, &Polar::of(self, place, [y, z])).height;
+        let away = untouched.ahead;
+        let lower = (depth * depth + away * away).sqrt() - depth - raised;
         Met {
             row: number,
             point: [0, 1].map(|i| here[i] + lower * self.down[i]),
             direction,
             x,
             gap: Gap { height: f64::INFINITY, share: 1.0, growth: 0.0 },
+            untouched,
             ..Met::default()
         }
     }
@@ -254,6 +257,21 @@ impl Spot {
         let polar = Polar::of(over, place, [point.value[0], point.value[1]]);
         let profile = OnProfile::find(over.line(), polar.axial, near(polar.axial)?)?;
         let spot = Self::opposite(over, place, point, polar, profile);
+        if over.varies_around() { spot.around(over) } else { Some(spot) }
+    }
+
+    /// The place of a kink, with the row behind it here and ahead of it `there`: it goes on there as
+    /// the wheel does, of which the slope lies between those of the row.
+    pub fn at_kink(&self, over: &Over, there: &Self) -> Option<Self> {
+        let share = self.slope / (self.slope - there.slope);
+        let between = |a: f64, b: f64| a + share * (b - a);
+        let (a, b) = (&self.point, &there.point);
+        let point = RowPoint {
+            first: std::array::from_fn(|i| between(a.first[i], b.first[i])),
+            second: std::array::from_fn(|i| between(a.second[i], b.second[i])),
+            ..*a
+        };
+        let spot = Self::opposite(over, self.place, point, self.polar, self.profile);
         if over.varies_around() { spot.around(over) } else { Some(spot) }
     }
 

@@ -1,18 +1,22 @@
 //! Where the wheel meets a row of the rail.
 
 use super::bounds::{Bounds, LARGEST};
+use super::bracket::Bracket;
 use super::over::Over;
-use super::spot::{MIN_BEND, Row, Spot};
+use super::spot::{Row, Spot};
 use super::wheel_table::WheelTable;
-use crate::geometry::sections::rows::met::{Met, Opposite};
+use crate::geometry::sections::rows::met::{Met, Opposite, Untouched};
 use crate::geometry::sections::rows::surface::Surface;
 use crate::math::real::Real;
 
 /// Distance of rows over which their places and those of the wheel opposite go on as before [m].
 pub(super) const CLOSE: f64 = 3e-3;
-/// Steps to the place along a row, and the longest of them [m].
-const MAX_STEPS: usize = 20;
+/// Steps to the place along a row, and the longest of them [m]; halved so often nothing is left of that.
+const MAX_STEPS: usize = 40;
 const LONGEST_STEP: f64 = 0.02;
+/// Least bend of a row against the wheel, over that of the wheel, by which a step is made without
+/// that of the one before.
+const MIN_BEND: f64 = 0.1;
 /// A step over which all that is met goes along evenly [m].
 const LAST_STEP: f64 = 1e-11;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
@@ -32,17 +36,24 @@ impl Touch<'_> {
         Some(Row { surface: self.surface, number: j, run })
     }
 
-    /// Row `j` as it is under the axle; nothing where it is not there.
-    pub fn aside(&self, over: &Over, j: usize) -> Option<Met> {
+    /// Whether row `j` is there under the wheel that is `over` it.
+    pub fn is_there(&self, over: &Over, j: usize) -> bool {
+        self.row(over, j).is_some_and(|row| over.reach(self.surface, row.run).is_some())
+    }
+
+    /// Row `j` where it is `untouched`, as far as it is there; nothing where it is not.
+    pub fn aside(&self, over: &Over, j: usize, untouched: Untouched) -> Option<Met> {
         let row = self.row(over, j)?;
-        let ends = over.reach(self.surface, row.run)?;
-        let place = straight_below(ends);
+        let [from, to] = over.reach(self.surface, row.run)?;
+        let place = untouched.place.clamp(from, to);
+        let ahead = untouched.ahead + place - untouched.place;
         let point = row.at(over, place);
-        Some(over.aside(j, place, &point))
+        Some(over.aside(j, Untouched { place, ahead }, &point))
     }
 
     /// Where the wheel meets row `j`, sought from a `start` along the track, with the parameter and
-    /// the coordinate along the axle opposite, if any are known; nothing where the row is not there.
+    /// the coordinate along the axle opposite, if any are known; nothing where the row is not there,
+    /// the wheel stands upright or nothing of it is opposite.
     pub fn meet(
         &self,
         over: &Over,
@@ -52,11 +63,7 @@ impl Touch<'_> {
     ) -> Option<Met> {
         let row = self.row(over, j)?;
         let ends = over.reach(self.surface, row.run)?;
-        // Where the wheel stands upright, or nothing of it is opposite, the row is as good as beside
-        // it, wherever those beside it are met.
-        let Some(mut spot) = self.begin(over, &row, ends, start) else {
-            return self.aside(over, j);
-        };
+        let mut spot = self.begin(over, &row, ends, start)?;
         if !(looks_through && self.is_hollow(over, j)) {
             let rest = settle(over, &row, &mut spot, ends);
             return Some(spot.found(over, j, rest));
@@ -102,8 +109,8 @@ impl Touch<'_> {
         let row = Row { surface: self.surface, number: j, run: run.unwrap_or_default() };
         let ends = run.and_then(|run| over.reach(self.surface, run));
         let Some(opposite) = found.opposite.filter(|_| run.is_some()) else {
-            let place = ends.map_or(T::from(0.0), |ends| straight_below(ends));
-            return over.aside(j, place, &row.at(over, place));
+            let untouched = found.untouched;
+            return over.aside(j, untouched, &row.at(over, untouched.place.into()));
         };
         let Opposite { place, s, rest, .. } = opposite;
         let is_end = |end: &T| end.value().to_bits() == place.to_bits();
@@ -167,41 +174,31 @@ impl Touch<'_> {
     }
 }
 
-/// Of the places from one to another one the nearest to the axle.
-fn straight_below<T: Real>([from, to]: [T; 2]) -> T {
-    if from > 0.0 {
-        from
-    } else if to < 0.0 {
-        to
-    } else {
-        T::from(0.0)
-    }
-}
-
 /// Takes the `spot` on a `row` by Newton steps to where the wheel meets that `from` one place `to`
-/// another one, but for the way that is left; nothing is left where the row ends there.
+/// another one, but for the way that is left; nothing is left where the row ends there, or at a kink.
 fn settle(over: &Over, row: &Row, spot: &mut Spot, [from, to]: [f64; 2]) -> Option<f64> {
-    // Slices that bend may lead beyond where the slope has the other sign.
-    let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
+    let least = MIN_BEND / over.nominal_radius();
+    let mut bracket = Bracket::new();
     let mut before: Option<[f64; 2]> = None;
     for _ in 0..MAX_STEPS {
-        let side = if spot.slope < 0.0 { &mut behind } else { &mut ahead };
-        *side = spot.place;
-        // Of a wheel that varies around the bend is that of the round one in its place.
-        let chord = before
-            .filter(|_| over.varies_around())
-            .map(|[place, slope]| (spot.slope - slope) / (spot.place - place));
-        let least = MIN_BEND / over.nominal_radius();
-        let step = chord.map_or_else(|| spot.rest(over), |bend| -spot.slope / bend.max(least));
-        let mut next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
-        if !(behind..=ahead).contains(&next) {
-            next = 0.5 * (behind + ahead);
-        }
+        bracket.take(spot);
+        // Of a wheel that varies around the bend is that of the round one in its place; where row
+        // and wheel are nearly as round as each other a bend that is held up would never settle.
+        let is_known = spot.bend >= least && !over.varies_around();
+        let chord = before.filter(|_| !is_known).map(|b| (spot.slope - b[1]) / (spot.place - b[0]));
+        let bend = chord.filter(|chord| *chord > 0.0).unwrap_or(spot.bend.max(least));
+        let step = -spot.slope / bend;
+        let next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
         // Exactly on an end where it is held there.
-        let is_held = !(from..=to).contains(&next);
-        if !is_held && step.abs() <= LAST_STEP {
+        if (from..=to).contains(&next) && step.abs() <= LAST_STEP {
             return Some(step);
         }
+        if let Some(kink) = bracket.kink(over) {
+            *spot = kink;
+            break;
+        }
+        let next = bracket.held(next);
+        let is_held = !(from..=to).contains(&next);
         let next = next.clamp(from, to);
         let way = next - spot.place;
         if is_held && way == 0.0 {

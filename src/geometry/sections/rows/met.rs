@@ -34,6 +34,15 @@ pub(in crate::geometry) struct Opposite {
     pub rest: f64,
 }
 
+/// Where a row is taken that nothing touches.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::geometry) struct Untouched {
+    /// Along the track, from the wheel marker [m].
+    pub place: f64,
+    /// How far ahead of the contact line that is taken to be [m].
+    pub ahead: f64,
+}
+
 /// A row that the wheel meets.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::geometry) struct Met<T = f64> {
@@ -47,4 +56,6 @@ pub(in crate::geometry) struct Met<T = f64> {
     pub along: Along<T>,
     /// Nothing where the wheel is not looked for.
     pub opposite: Option<Opposite>,
+    /// Where it is taken then.
+    pub untouched: Untouched,
 }
