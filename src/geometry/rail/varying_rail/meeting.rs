@@ -10,8 +10,9 @@ use crate::math::fixed_vec::FixedVec;
 /// How far below the wheel the few rows surely are of which nothing is asked where none is known to
 /// be nearer [m].
 const FAR_BELOW: f64 = 0.02;
-/// Distance from the wheel from which on nothing touches a row, wherever it was met: under waves such
-/// rows may be met far apart from each other, and an outline through them turn back. More than [`NEAR`], up to which rows between them are looked at [m].
+/// Distance from the wheel from which on nothing touches a row, wherever it was met: under waves
+/// such rows may be met far apart from each other, and an outline through them turn back. More than
+/// [`NEAR`], up to which rows between them are looked at [m].
 const UNTOUCHED: f64 = 1e-3;
 
 /// The rows that a wheel meets.
