@@ -7,10 +7,12 @@
 use super::over::Over;
 use super::spot::Spot;
 
-/// Distance of two places on either side of a kink at which both are there [m].
+/// Distance of two places on either side of a kink at which both are there [m]: two of the last steps
+/// along a row.
 const CLOSED: f64 = 2e-11;
-
-/// Share of a way to a kink by which it is hardly missed, and growth of that where it was.
+/// Share of the last way to a kink by which a step goes beyond it, as the parabolas err by less, and
+/// growth of that from step to step where it was too little. They decide how many steps it takes, not
+/// where it is.
 const FARTHER: f64 = 0.05;
 const GROWTH: f64 = 8.0;
 

@@ -77,7 +77,7 @@ impl Meeting {
     /// parameter: the outline goes on from one to the other without turning back, however the rows
     /// drift. Where no row is met they are taken under the axle.
     fn lay_untouched(&mut self, touch: &Touch, over: &Over) {
-        let Self { met, .. } = self;
+        let met = &mut self.met;
         let parameter = &touch.surface.rows.parameter;
         let place =
             |met: &Met| met.opposite.map(|own| [parameter[met.row], own.place, met.along.ahead]);
@@ -107,7 +107,6 @@ impl Meeting {
         let rows = few.rows.iter().copied().zip(lows.iter().copied());
         let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
         let nearest = first.and_then(|(j, _)| touch.meet(over, j, None, true));
-        let nearest = nearest.filter(|met| met.opposite.is_some());
         let least = nearest.map_or(0.0, |met| met.gap.height.max(0.0));
         let far = nearest.map_or(FAR_BELOW, |_| least + NEAR);
         wide.clear();

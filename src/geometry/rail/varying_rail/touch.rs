@@ -11,12 +11,13 @@ use crate::math::real::Real;
 
 /// Distance of rows over which their places and those of the wheel opposite go on as before [m].
 pub(super) const CLOSE: f64 = 3e-3;
-/// Steps to the place along a row, and the longest of them [m]; halved so often nothing is left of that.
+/// Steps to the place along a row, and the longest of them [m]: halved so often, nothing is left of
+/// it.
 const MAX_STEPS: usize = 40;
 const LONGEST_STEP: f64 = 0.02;
-/// Least bend of a row against the wheel, over that of the wheel, by which a step is made without
-/// that of the one before.
-const MIN_BEND: f64 = 0.1;
+/// Bend of a row against the wheel, over that of the wheel, from which on a step goes by it alone:
+/// below, waves change it over a step.
+const STEADY_BEND: f64 = 0.1;
 /// A step over which all that is met goes along evenly [m].
 const LAST_STEP: f64 = 1e-11;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
@@ -177,16 +178,16 @@ impl Touch<'_> {
 /// Takes the `spot` on a `row` by Newton steps to where the wheel meets that `from` one place `to`
 /// another one, but for the way that is left; nothing is left where the row ends there, or at a kink.
 fn settle(over: &Over, row: &Row, spot: &mut Spot, [from, to]: [f64; 2]) -> Option<f64> {
-    let least = MIN_BEND / over.nominal_radius();
+    let steady = STEADY_BEND / over.nominal_radius();
     let mut bracket = Bracket::new();
     let mut before: Option<[f64; 2]> = None;
     for _ in 0..MAX_STEPS {
         bracket.take(spot);
         // Of a wheel that varies around the bend is that of the round one in its place; where row
-        // and wheel are nearly as round as each other a bend that is held up would never settle.
-        let is_known = spot.bend >= least && !over.varies_around();
+        // and wheel are nearly as round as each other steps by a greater one would not settle.
+        let is_known = spot.bend >= steady && !over.varies_around();
         let chord = before.filter(|_| !is_known).map(|b| (spot.slope - b[1]) / (spot.place - b[0]));
-        let bend = chord.filter(|chord| *chord > 0.0).unwrap_or(spot.bend.max(least));
+        let bend = chord.filter(|chord| *chord > 0.0).unwrap_or(spot.bend.max(steady));
         let step = -spot.slope / bend;
         let next = spot.place + step.clamp(-LONGEST_STEP, LONGEST_STEP);
         // Exactly on an end where it is held there.
