@@ -4,12 +4,11 @@
 //! the rest is evaluated once more, on a tape ([`Tape`]). One sweep back along it then gives the
 //! derivatives by everything at once.
 
-use super::contact::models::Models;
+use super::derivative_memory::AdjointMemory;
 use super::derivatives::{Height, WAVES, at_this_input};
 use super::gradient::{Back, Gradient};
 use super::input::{HEIGHT, INPUTS, Input, LOAD, PLACES, move_all};
 use super::output::Output;
-use super::parameters::RAILS;
 use super::quasi_static_rails::solve;
 use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
@@ -20,34 +19,6 @@ use crate::math::numbers::Numbers;
 use crate::math::tape::{Tape, Taped};
 
 const _: () = assert!(leaves::INPUTS as usize == INPUTS);
-
-/// Memory for derivatives backwards, which grows with the longest evaluation.
-#[derive(Clone, Debug)]
-pub(super) struct AdjointMemory {
-    tape: Tape,
-    models: Models<Taped>,
-    output: Output<Taped>,
-    seeds: Vec<(Taped, f64)>,
-    wheel: KnotSlopes,
-    rails: [KnotSlopes; RAILS],
-}
-
-impl AdjointMemory {
-    /// Goes back from `seeds` and from the forces on the wheel across and down, each times its
-    /// weight; returns the derivatives by the inputs.
-    fn sweep(&mut self, is_seeded: bool, forces: [f64; 2]) -> [f64; INPUTS] {
-        let Self { tape, models, output, seeds, .. } = self;
-        let [_, y, z] = output.wheel.force;
-        let own = seeds.iter().copied().take(if is_seeded { usize::MAX } else { 0 });
-        let all = own.chain([y, z].into_iter().zip(forces));
-        tape.sweep(all, |n, right| {
-            if let Some(follower) = &mut models.strip_follower {
-                follower.solve_kept(n, right);
-            }
-        });
-        std::array::from_fn(|i| tape.slope_of(leaves::input(i)))
-    }
-}
 
 impl Element {
     /// The derivatives of Σ weight · output by all that the outputs depend on, into `gradient`:
@@ -83,7 +54,7 @@ impl Element {
         found.map_err(at_this_input)?;
         let by_input = gradient.input;
         gradient.parameters.nominal_radius += self.back_to_radius(&input, &by_input);
-        let by_input = self.back_to_turning(by_input);
+        let by_input = self.rolling.map_or(by_input, |rolling| rolling.back_to_turning(by_input));
         gradient.input = self.side.mirror(by_input);
         Ok(())
     }

@@ -32,6 +32,20 @@ impl Element {
             .collect())
     }
 
+    /// The input as it is evaluated, or rates of it, with the pitch rate of a wheel that rolls where
+    /// it does.
+    pub(super) fn turning(&self, input: Input) -> Input {
+        self.rolling.map_or(input, |rolling| rolling.turning(input))
+    }
+
+    /// The input as it is evaluated.
+    ///
+    /// # Errors
+    /// The input at fault, by its FMU name.
+    pub(super) fn admitted(&self, input: &Input) -> Result<Input, ContactError> {
+        input.admitted().map(|input| self.turning(input))
+    }
+
     /// Evaluates the forces; allocates nothing, but with boundary elements.
     ///
     /// # Errors

@@ -2,8 +2,6 @@
 
 use super::input::Input;
 use super::parameters::{Motion, Parameters};
-use super::wheel_on_rails::Element;
-use crate::error::ContactError;
 
 /// A wheel that turns as its nominal rolling circle rolls on the first rail.
 ///
@@ -33,47 +31,33 @@ impl FreeRolling {
         -(velocity + of_rail * self.roller_radius) / self.nominal_radius
     }
 
-    /// Derivative of that by the nominal radius.
-    pub(crate) fn by_radius(&self, velocity: f64, of_rail: f64) -> f64 {
-        -self.pitch_rate(velocity, of_rail) / self.nominal_radius
-    }
-}
-
-impl Element {
-    /// The input as it is evaluated, or rates of it, with the pitch rate of a wheel that rolls where
-    /// it does.
+    /// The `input`, or rates of it, with that pitch rate.
     pub(super) fn turning(&self, mut input: Input) -> Input {
-        if let Some(rolling) = &self.rolling {
-            input.wheel.pitch_rate =
-                rolling.pitch_rate(input.wheel.velocity[0], input.rails[0].pitch_rate);
-        }
+        input.wheel.pitch_rate =
+            self.pitch_rate(input.wheel.velocity[0], input.rails[0].pitch_rate);
         input
     }
 
-    /// Derivatives by the input from those by what [`turning`](Self::turning) makes of it.
+    /// Derivatives by an input from those by what [`turning`](Self::turning) makes of it.
     pub(super) fn back_to_turning(&self, mut by_input: Input) -> Input {
-        if let Some(FreeRolling { nominal_radius, roller_radius }) = self.rolling {
-            let by_velocity = -by_input.wheel.pitch_rate / nominal_radius;
-            by_input.wheel.velocity[0] += by_velocity;
-            by_input.rails[0].pitch_rate += by_velocity * roller_radius;
-            by_input.wheel.pitch_rate = 0.0;
-        }
+        let by_velocity = -by_input.wheel.pitch_rate / self.nominal_radius;
+        by_input.wheel.velocity[0] += by_velocity;
+        by_input.rails[0].pitch_rate += by_velocity * self.roller_radius;
+        by_input.wheel.pitch_rate = 0.0;
         by_input
     }
 
-    /// The input as it is evaluated.
-    ///
-    /// # Errors
-    /// The input at fault, by its FMU name.
-    pub(super) fn admitted(&self, input: &Input) -> Result<Input, ContactError> {
-        input.admitted().map(|input| self.turning(input))
+    /// Derivative of the pitch rate by the nominal radius.
+    pub(crate) fn by_radius(&self, velocity: f64, of_rail: f64) -> f64 {
+        -self.pitch_rate(velocity, of_rail) / self.nominal_radius
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Output;
+    use crate::element::{Element, Output};
+    use crate::error::ContactError;
 
     #[test]
     fn a_rolling_wheel_is_one_with_the_rate_of_its_nominal_circle() -> Result<(), ContactError> {

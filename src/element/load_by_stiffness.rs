@@ -9,10 +9,11 @@
 
 use nalgebra::SMatrix;
 
-use super::balance::{Balance, Carried, Held, LONGEST, MOST_POSES, Placed, normal_force_down};
+use super::balance::{Balance, Carried, Expected, Held, LONGEST, MOST_POSES, Placed};
 use super::input::Input;
 use super::output::{Output, heaviest};
 use super::parameters::{FoundationModel, Side};
+use super::pose_under_load::normal_force_down;
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
 use crate::math::broyden::Broyden;
@@ -66,15 +67,6 @@ pub(crate) struct PosedWheel {
     /// How far down it may go with the roll of its axle, as its place of contact turns about the
     /// marker [m].
     pub down_with_roll: f64,
-}
-
-/// What is known of how the load of an evaluation is carried.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Expected {
-    /// About how it is, and what its pose has to do with that of the last problem.
-    About(Carried, Pose),
-    /// How it is: the output that is handed over has the forces.
-    Found(Carried),
 }
 
 impl PosedWheel {

@@ -1,6 +1,7 @@
 //! The contact element: one wheel and the rails under it.
 
 mod adjoint;
+mod back_to_parameters;
 mod balance;
 mod contact;
 mod contact_history;
@@ -15,12 +16,13 @@ mod load_by_stiffness;
 mod moving_rails;
 pub mod output;
 pub mod parameters;
+mod pose_under_load;
 mod prepare;
 mod quasi_static_rails;
 mod rail;
 mod remark;
 mod remarks;
-
+mod rested;
 mod start;
 mod start_warning;
 mod step_limit;
@@ -34,12 +36,12 @@ mod work;
 pub(crate) mod work_pairs;
 mod worn_profiles;
 
-pub(crate) use balance::{Balance, Carried, LONGEST, MOST_POSES, Placed};
+pub(crate) use balance::{Balance, Carried, Expected, LONGEST, MOST_POSES, Placed};
 pub use contact_history::ContactHistory;
 pub(crate) use free_rolling::FreeRolling;
 pub use gradient::{Gradient, ParameterSlopes};
 pub use input::Input;
-pub(crate) use load_by_stiffness::{Expected, PosedWheel};
+pub(crate) use load_by_stiffness::PosedWheel;
 pub use output::Output;
 pub use parameters::Parameters;
 pub use parameters::foundation::TrackState;

@@ -17,15 +17,16 @@
 //! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
 //! fallback.
 
-use super::balance::Carried;
+use super::balance::{Carried, Expected};
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, move_all};
-use super::load_by_stiffness::{Expected, To, Way};
+use super::load_by_stiffness::{To, Way};
 use super::output::{Output, heaviest};
 use super::parameters::foundation::TrackState;
 use super::parameters::{FoundationModel, VerticalMode};
 use super::rail::moving_contact::Kink;
+use super::rested::{Rested, without_height};
 use super::wheel_on_rails::Element;
 use crate::math::real::Real;
 use crate::math::root::outward;
@@ -75,25 +76,6 @@ impl Trials<'_> {
         (self.carried, self.last) = (self.element.carried, y);
         left
     }
-}
-
-/// How rails without mass rest under an input.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Rested {
-    /// The input, without its height where a load is given.
-    under: Input,
-    deflection: [f64; 2],
-    /// What is left of the way to the deflection [m].
-    left: f64,
-    /// About how the load is carried there, if that is given and known.
-    carried: Option<Carried>,
-}
-
-/// The input with a height that is the same for all.
-fn without_height(given: &Input) -> Input {
-    let mut key = *given;
-    key.wheel.position[2] = 0.0;
-    key
 }
 
 impl Element {

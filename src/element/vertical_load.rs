@@ -21,8 +21,8 @@
 //! secants in force^(2/3), which is nearly straight. All are counted: no input makes them fail or
 //! go on for ever.
 
+use super::balance::Expected;
 use super::input::Input;
-use super::load_by_stiffness::Expected;
 use super::output::{Output, heaviest};
 use super::wheel_on_rails::Element;
 use crate::math::root::bracketed;

@@ -1,17 +1,15 @@
 //! A wheel on its rails: what an element consists of.
 
-use super::adjoint::AdjointMemory;
-use super::balance::Carried;
+use super::balance::{Carried, Expected};
 use super::contact::models::Models;
-use super::derivative_memory::DerivativeMemory;
+use super::derivative_memory::{AdjointMemory, DerivativeMemory};
 use super::free_rolling::FreeRolling;
 use super::gradient::Wanted;
 use super::last_step::PoseForces;
-use super::load_by_stiffness::Expected;
 use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
-use super::quasi_static_rails::Rested;
 use super::rail::rail_contact::RailContact;
+use super::rested::Rested;
 use super::start_warning::StartWarning;
 use super::work::Work;
 use crate::geometry::profiles::profile::ProfileRemark;

@@ -1,5 +1,6 @@
 //! Adjoint derivatives: of a weighted sum of outputs by inputs and parameters (FMI 3.0, 2.2.11).
 
+use super::adjoint_scratch::AdjointScratch;
 use super::directional::known;
 use super::error::FmiError;
 use super::instance::Instance;
@@ -9,28 +10,6 @@ use super::types::ValueReference;
 use crate::element::subject::{BySubject, Subject};
 use crate::error::ContactError;
 use crate::variables::{Causality, Described, Kind, Value, ValuesOf, Variable};
-
-/// Memory for derivatives backwards.
-#[derive(Clone, Debug)]
-pub struct AdjointScratch<S: Described + Subject> {
-    /// Weights, and derivatives by inputs.
-    weights: ValuesOf<S>,
-    found: BySubject<S>,
-    /// Unknowns that have none backwards, and derivatives by one known.
-    others: Vec<ValueReference>,
-    column: Vec<f64>,
-}
-
-impl<S: Described + Subject> Default for AdjointScratch<S> {
-    fn default() -> Self {
-        Self {
-            weights: ValuesOf::default(),
-            found: BySubject::default(),
-            others: Vec::new(),
-            column: Vec::new(),
-        }
-    }
-}
 
 impl<S: Described + Subject> Instance<S> {
     /// Puts Σ `seed` · ∂ unknown/∂ known into `sensitivity`, at the values as they are; nothing else

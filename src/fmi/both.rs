@@ -108,7 +108,7 @@ both! {
         let bytes = bytes::write(i.saved(FMUstate)?);
         // SAFETY: FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: there are `size` bytes.
         let target = unsafe { serializedState.cast::<u8>().lend("serializedState", size)? };
-        i.interface.room(target, bytes.len())?.copy_from_slice(&bytes);
+        bytes::room(i.interface, target, bytes.len())?.copy_from_slice(&bytes);
         Ok(())
     };
 

@@ -14,6 +14,7 @@ use super::coupling::LastStep;
 use super::error::FmiError;
 use super::extrapolation::{Extrapolation, ORDERS};
 use super::held::Held;
+use super::interface::Interface;
 use super::life_cycle::{Experiment, Purpose, State};
 use super::snapshot::{MAX_ELEMENTS, Memory, Outputs, Snapshot};
 use super::types::ValueReference;
@@ -54,6 +55,16 @@ fn variables<S: Described>(outputs: Outputs) -> impl Iterator<Item = &'static Va
     let holds = outputs == Outputs::Evaluated;
     let all = S::UNIT.variables.iter();
     all.filter(move |v| v.causality != Causality::Output || (holds && v.is_evaluated()))
+}
+
+/// The beginning of the host's room for a serialized state, if it is large enough.
+pub fn room(interface: Interface, target: &mut [u8], size: usize) -> Result<&mut [u8], FmiError> {
+    let allowed = match interface {
+        Interface::V2 => "at least what fmi2SerializedFMUstateSize gives",
+        Interface::V3 => "at least what fmi3SerializedFMUStateSize gives",
+    };
+    let value = target.len() as f64;
+    target.get_mut(..size).ok_or(FmiError::BadArgument { name: "size", value, allowed })
 }
 
 /// The bytes of a state.

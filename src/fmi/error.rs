@@ -1,9 +1,36 @@
 //! Why a call through the interface is refused.
 
+use std::path::Path;
+
 use super::interface::Interface;
+use super::location;
 use crate::error::ContactError;
+use crate::variables::shortened;
 
 impl FmiError {
+    /// What is odd about the argument for the resources of `interface`, with the folder that it was
+    /// taken for.
+    pub fn odd_location(
+        interface: Interface,
+        location: &str,
+        folder: Option<&Path>,
+    ) -> Option<Self> {
+        let given = || shortened(location);
+        match folder {
+            None if location.is_empty() => None,
+            None => Some(Self::BadLocation { interface, given: given() }),
+            Some(folder) if !folder.is_dir() => Some(Self::NoFolder {
+                interface,
+                given: given(),
+                folder: folder.display().to_string(),
+            }),
+            Some(folder) if interface == Interface::V3 && location::is_uri(location) => {
+                Some(Self::UriForPath { given: given(), folder: folder.display().to_string() })
+            }
+            Some(_) => None,
+        }
+    }
+
     /// That of a call which needs initialization mode at least.
     pub fn too_early(interface: Interface) -> Self {
         let first = match interface {

@@ -156,7 +156,7 @@ fn examine(request: Request, logger: &Logger) -> Result<AnyInstance, FmiError> {
         })?;
     let location = request.location?;
     let resources = interface.resources(location);
-    if let Some(warning) = interface.odd_location(location, resources.as_deref()) {
+    if let Some(warning) = FmiError::odd_location(interface, location, resources.as_deref()) {
         logger.log(Status::Warning, Category::Warning, format_args!("{name}: {warning}"));
     }
     let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));

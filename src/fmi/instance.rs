@@ -4,7 +4,7 @@
 use std::ffi::CString;
 use std::path::PathBuf;
 
-use super::adjoint::AdjointScratch;
+use super::adjoint_scratch::AdjointScratch;
 use super::coupling::LastStep;
 use super::differences::DerivativeScratch;
 use super::extrapolation::Extrapolation;

@@ -2,11 +2,10 @@
 //! know it.
 
 use std::fmt::{self, Display, Formatter};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use super::error::FmiError;
 use super::location;
-use crate::variables::{Kind, Variable, shortened};
+use crate::variables::{Kind, Variable};
 
 /// A version of the standard; shown as what the names of its functions begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,16 +69,6 @@ impl Interface {
         }
     }
 
-    /// The beginning of the host's room for a serialized state, if it is large enough.
-    pub fn room(self, target: &mut [u8], size: usize) -> Result<&mut [u8], FmiError> {
-        let allowed = match self {
-            Self::V2 => "at least what fmi2SerializedFMUstateSize gives",
-            Self::V3 => "at least what fmi3SerializedFMUStateSize gives",
-        };
-        let value = target.len() as f64;
-        target.get_mut(..size).ok_or(FmiError::BadArgument { name: "size", value, allowed })
-    }
-
     /// The folder of resources that this argument names; `None` for what is not admitted. Hosts
     /// that know FMI 2.0 give a URI through FMI 3.0 too.
     pub fn resources(self, location: &str) -> Option<PathBuf> {
@@ -87,24 +76,6 @@ impl Interface {
             Self::V2 => location::of_uri(location),
             Self::V3 if location::is_uri(location) => location::of_uri(location),
             Self::V3 => location::of_path(location),
-        }
-    }
-
-    /// What is odd about this argument, with the folder that it was taken for.
-    pub fn odd_location(self, location: &str, folder: Option<&Path>) -> Option<FmiError> {
-        let given = || shortened(location);
-        match folder {
-            None if location.is_empty() => None,
-            None => Some(FmiError::BadLocation { interface: self, given: given() }),
-            Some(folder) if !folder.is_dir() => Some(FmiError::NoFolder {
-                interface: self,
-                given: given(),
-                folder: folder.display().to_string(),
-            }),
-            Some(folder) if self == Self::V3 && location::is_uri(location) => {
-                Some(FmiError::UriForPath { given: given(), folder: folder.display().to_string() })
-            }
-            Some(_) => None,
         }
     }
 }

@@ -55,6 +55,7 @@
 
 mod access;
 mod adjoint;
+mod adjoint_scratch;
 mod any_instance;
 mod arguments;
 mod arrays;

@@ -7,7 +7,6 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_traits::{One, Zero};
 
-use super::dual::Dual;
 use super::logarithm;
 
 /// Number of a constant that derivatives can be taken by, from 1.
@@ -26,13 +25,22 @@ const LEAST_SQUARE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
 /// Coefficients of (y, z) in growing powers of the distance from the start of a piece of a curve.
 pub type Cubic = [[f64; 2]; 4];
 
+/// A number and its derivatives by `K` others.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear<const K: usize> {
+    /// Value.
+    pub value: f64,
+    /// Derivatives.
+    pub slopes: [f64; K],
+}
+
 /// `M` functions of `K` numbers, of whatever kind these are.
 pub trait Function<const K: usize, const M: usize> {
     /// Their values.
     fn at<T: Real>(&self, numbers: [T; K]) -> [T; M];
 }
 
-/// A real number, or one with its derivatives: forwards ([`Dual`]) or backwards
+/// A real number, or one with its derivatives: forwards ([`Dual`](super::dual::Dual)) or backwards
 /// ([`Taped`](super::tape::Taped)).
 ///
 /// Comparisons look at the value alone: where a formula has branches, derivatives are those of the
@@ -151,7 +159,7 @@ pub trait Real:
     fn as_whole_again<const K: usize, const M: usize>(
         numbers: [Self; K],
         function: &impl Function<K, M>,
-        kept: &mut Option<[Dual<K>; M]>,
+        kept: &mut Option<[Linear<K>; M]>,
     ) -> [Self; M] {
         let _ = kept;
         function.at(numbers)

@@ -23,6 +23,17 @@ use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
+/// How the three flexibilities of the simplified theory enter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Flexibilities {
+    /// One for each creepage.
+    Three,
+    /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
+    #[default]
+    Blended,
+}
+
 /// Flexibility for each creepage: displacement over traction [m/Pa].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ZoneFlexibility<T = f64> {

@@ -8,6 +8,7 @@ use super::ellipse_force::{Corrected, Tabulated};
 use super::fastrip::Fastrip;
 use super::fastsim::{Fastsim, TractionBound};
 use super::field::ContactField;
+use super::flexibility::Flexibilities;
 use super::forces::StripForce;
 use super::linear::Linear;
 use super::march::March;
@@ -140,15 +141,4 @@ impl Model {
             Self::None(()) | Self::Linear(_) | Self::Fastrip(_) => {}
         }
     }
-}
-
-/// How the three flexibilities of the simplified theory enter.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Flexibilities {
-    /// One for each creepage.
-    Three,
-    /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
-    #[default]
-    Blended,
 }

@@ -6,8 +6,8 @@ use super::convergence::Convergence;
 use super::creep_number::CreepNumber;
 use super::fastsim::Fastsim;
 use super::field::ContactField;
+use super::lobes::Lobes;
 use super::march::March;
-use super::neck::Lobes;
 use super::rolling::Rolling;
 use super::zone_model::{RollingZone, ZoneModel};
 

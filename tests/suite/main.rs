@@ -50,6 +50,7 @@ mod hard_profiles;
 mod host;
 mod host3;
 mod importers;
+mod imports;
 mod least_energy;
 mod literature;
 mod long_runs;

@@ -167,11 +167,6 @@ impl Choice {
         self.normal == normal(NormalModel::Strips, DEFAULT_NODES) && self.rolling == MARCHES
     }
 
-    /// Both names.
-    pub fn name(self) -> String {
-        format!("{} + {}", self.normal.name(), self.rolling.name())
-    }
-
     /// A planar case by these models.
     pub fn of_case<'a>(self, case: &PlanarCase<'a>) -> PlanarCase<'a> {
         let Self { normal, rolling } = self;

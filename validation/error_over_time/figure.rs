@@ -12,8 +12,8 @@ use crate::canvas::{
 use crate::choices::{DEFAULT_NODES, MARCHES, Normal};
 use crate::common::{column, read_table, value};
 use crate::labels::{Frame, Labels};
-use crate::report::TREAD;
-use crate::{NormalRow, Row};
+use crate::rows::{NormalRow, Row};
+use crate::wheel::TREAD;
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/figures/error_over_time.svg");
 const SIZE: (u32, u32) = (1240, 620);

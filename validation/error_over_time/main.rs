@@ -20,62 +20,19 @@ mod labels;
 #[path = "../../benches/page/mod.rs"]
 mod page;
 mod report;
+mod rows;
 mod times;
 mod wheel;
 
 use std::env;
 
-use choices::{BOUNDARY, Choice, NORMAL, Normal, ROLLING, Rolling, WITHOUT, boundary};
+use choices::{BOUNDARY, Choice, NORMAL, Normal, ROLLING, WITHOUT, boundary};
 use common::{median_and_worst, quantiles};
 use contact_program::Sets;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use rows::{EllipseRow, NormalRow, Row};
 use wheelrail::element::parameters::VerticalMode;
-
-/// What is known of a normal model.
-pub struct NormalRow {
-    /// The model.
-    pub normal: Normal,
-    /// Median and worst of load, pressure and area against CONTACT, one region; worst of two
-    /// regions.
-    pub contact: [[f64; 3]; 3],
-    /// Mean error of the greatest pressure against CONTACT, all 32.
-    pub mean_pressure: f64,
-    /// Median and worst of the same against boundary elements on a wheel.
-    pub wheel: [[f64; 2]; 3],
-    /// Planar cases that fell back.
-    pub fallbacks: usize,
-    /// Time without creep force at each place, height given [s].
-    pub times: Vec<f64>,
-    /// The same on the tread, load given [s].
-    pub load_time: f64,
-}
-
-/// What is known of a combination.
-pub struct Row {
-    /// Its models.
-    pub choice: Choice,
-    /// Mean, 95 % and worst of the creep force against CONTACT on real patches.
-    pub contact: [f64; 3],
-    /// Mean of the moment.
-    pub moment: f64,
-    /// Mean, 95 % and worst of the creep force against boundary elements on a wheel.
-    pub wheel: [f64; 3],
-    /// Time at each place, height given [s].
-    pub times: Vec<f64>,
-    /// Time on the tread, load given [s].
-    pub load_time: f64,
-    /// Instructions on the tread, height given and load given.
-    pub instructions: [Option<f64>; 2],
-}
-
-/// What is known of a tangential model by itself.
-pub struct EllipseRow {
-    /// The model.
-    pub rolling: Rolling,
-    /// Mean, 95 % and worst of the creep force against CONTACT on 300 ellipses.
-    pub errors: [f64; 3],
-}
 
 /// What may be given of the vertical motion.
 const GIVEN: [VerticalMode; 2] = [VerticalMode::Penetration, VerticalMode::Load];
@@ -86,7 +43,7 @@ fn main() {
         && flag == callgrind::COUNT
     {
         let number = |text: &str| text.parse().expect("a whole number");
-        let input = wheel::timed_input(report::TREAD);
+        let input = wheel::timed_input(wheel::TREAD);
         let given = GIVEN[number(given)];
         times::evaluate(Choice::all()[number(index)], given, &input, number(evaluations));
         return;
@@ -131,7 +88,7 @@ fn main() {
     let inputs: Vec<_> = (0..wheel::PLACES.len()).map(wheel::timed_input).collect();
     let times = |choice| {
         let [height, load] = GIVEN;
-        let tread = &inputs[report::TREAD];
+        let tread = &inputs[wheel::TREAD];
         let times = inputs.iter().map(|input| times::time(choice, height, input)).collect();
         (times, times::time(choice, load, tread))
     };

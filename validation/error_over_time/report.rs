@@ -6,10 +6,9 @@ use wheelrail::element::parameters::TangentialModel;
 
 use crate::common::write_report;
 use crate::page::{self, microseconds};
-use crate::{EllipseRow, NormalRow, Row, figure, wheel};
-
-/// Index of the tread among the places.
-pub const TREAD: usize = 0;
+use crate::rows::{EllipseRow, NormalRow, Row};
+use crate::wheel::TREAD;
+use crate::{figure, wheel};
 
 /// Writes both.
 pub fn write(normals: &[NormalRow], rows: &[Row], ellipses: &[EllipseRow], sizes: [usize; 2]) {

@@ -21,6 +21,8 @@ pub const PLACES: [(&str, f64, f64); 5] = [
     ("flange root", 6.5e-3, 3e-3),
     ("flange", 8e-3, 5e-3),
 ];
+/// Number of the tread among them.
+pub const TREAD: usize = 0;
 /// Vertical loads [N].
 const LOADS: [f64; 3] = [2e4, 6e4, 1.2e5];
 /// Longitudinal and lateral creepage, and factors of the spin that belongs to the contact angle.

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import time
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Union, cast
 
 import numpy as np
@@ -16,9 +15,11 @@ from ._adjoint import BODIES, PARAMETERS, Adjoint
 from ._contact import Contact, contact_of
 from ._files import folders
 from ._given import Given, Inputs, Kept, input_of, inputs_of, named
+from ._load import Load, is_wheel
 from ._result import REFUSED, Column, Columns, Jacobian, Layout, Remark, Result
+from ._slices import NUM_THREADS, Progress, in_slices, is_tolerant, thread_count
 from ._variables import Unit, Variable, find, fmi_names, is_evaluated, select, variables
-from .errors import BadValueError, ContactWarning, admitted_count
+from .errors import BadValueError, ContactWarning
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -31,24 +32,16 @@ if TYPE_CHECKING:
         WheelSetParameters,
         WheelSetResult,
     )
-    from .subsurface import Load
 
 __all__ = ["Element", "WheelSet"]
 
 Errors = Literal["raise", "nan"]
-Progress = Union[bool, Callable[[int, int], object], None]
 Outputs = Union[Sequence[str], str, None]
 
-#: Time that a call of the native part should take: between calls progress is told and Ctrl-C heard [s].
-_SLICE = 0.2
-#: Rows of each thread in the first of these calls: a second at most of boundary elements.
-_FIRST_SLICE = 32
 #: The motion of a wheel or wheelset, as keywords.
 _MOTIONS = tuple("x y z roll yaw pitch vx vy vz roll_rate yaw_rate pitch_rate".split())
 #: States of a result of one row, by the state of the row.
 _STATE_OF_ONE = [np.array([state], dtype=np.uint8) for state in range(3)]
-#: The variable of the environment that says how many threads there are.
-_NUM_THREADS = "WHEELRAIL_NUM_THREADS"
 #: Names of outputs or directions as they are asked for, which a dictionary can hold.
 Chosen = Union[tuple[str, ...], str, None]
 
@@ -163,17 +156,17 @@ class _Unit:
         if tell:
             for message in call.inputs.idle:
                 warnings.warn(message, ContactWarning, stacklevel=3)
-        tolerant = _is_tolerant(errors)
+        tolerant = is_tolerant(errors)
         if progress is None or progress is False:
-            if threads is not None or _NUM_THREADS in os.environ:
-                _threads(threads)
+            if threads is not None or NUM_THREADS in os.environ:
+                thread_count(threads)
             one = self._native.evaluate_one(call.places, values, tolerant)
             if one is not None:
                 return _one_row(call, values, one, tell)
         given = Given(call.inputs, values, table)
         data = np.empty((given.rows, len(call.references)))
         states = np.zeros(given.rows, dtype=np.uint8)
-        count = _threads(threads)
+        count = thread_count(threads)
         refusals: dict[int, str] = {}
         remarks = Remarks()
 
@@ -210,7 +203,7 @@ class _Unit:
         shape = (len(call.outputs), len(call.by))
         data = np.empty((given.rows, shape[0] * shape[1]))
         states = np.zeros(given.rows, dtype=np.uint8)
-        count, tolerant = _threads(threads), _is_tolerant(errors)
+        count, tolerant = thread_count(threads), is_tolerant(errors)
         refusals: dict[int, str] = {}
 
         def work(rows: slice) -> None:
@@ -234,7 +227,7 @@ class _Unit:
         given = Given(self._inputs(names), values)
         data = np.empty((given.rows, 1))
         states = np.zeros(given.rows, dtype=np.uint8)
-        count = _threads(threads)
+        count = thread_count(threads)
         in_slices(
             given.rows,
             lambda rows: self._native.touching_heights(
@@ -484,7 +477,7 @@ class Element(_Unit):
         data = np.empty((given.rows, len(call.by) + len(PARAMETERS)))
         states = np.zeros(given.rows, dtype=np.uint8)
         points = tuple(np.zeros(len(self.points(body))) for body in BODIES)
-        count, tolerant = _threads(threads), _is_tolerant(errors)
+        count, tolerant = thread_count(threads), is_tolerant(errors)
         refusals: dict[int, str] = {}
 
         def work(rows: slice) -> None:
@@ -611,8 +604,6 @@ class Element(_Unit):
         **inputs : float
             As in `evaluate`, one number each.
         """
-        from .subsurface import Load, is_wheel
-
         one = self._one_position("loads", inputs)
         return [Load._of(own) for own in _native.loads_of(self._native, one, is_wheel(body))]
 
@@ -785,66 +776,5 @@ class Remarks:
         )
 
 
-def in_slices(
-    rows: int, work: Callable[[slice], None], threads: int, progress: Progress = None
-) -> None:
-    """Does the work slice by slice, each of about the same time."""
-    tell, close = _teller(progress, rows)
-    size, start = _FIRST_SLICE * threads, 0
-    try:
-        while start < rows:
-            stop = min(start + size, rows)
-            begin = time.perf_counter()
-            try:
-                work(slice(start, stop))
-            except Exception as error:
-                raise _moved(error, start) from None
-            taken = time.perf_counter() - begin
-            size = int(min(max(size * min(_SLICE / max(taken, 1e-9), 8.0), threads), 1 << 20))
-            start = stop
-            tell(start)
-    finally:
-        close()
-
-
-def _moved(error: Exception, start: int) -> Exception:
-    """The error with its row counted from the first slice."""
-    row = getattr(error, "row", None)
-    if row is None:
-        return error
-    kind: Any = type(error)
-    moved: Exception = kind(error._message, variable=error.variable, row=row + start)  # type: ignore[attr-defined]
-    return moved
-
-
-def _teller(progress: Progress, rows: int) -> tuple[Callable[[int], object], Callable[[], object]]:
-    """What tells how many rows are done, and what ends it."""
-    if progress is None or progress is False:
-        return (lambda done: None), (lambda: None)
-    if progress is True:
-        from tqdm.auto import tqdm
-
-        bar = tqdm(total=rows or None, unit="contact", unit_scale=True)
-        return (lambda done: bar.update(done - bar.n)), bar.close
-    told = progress
-    return (lambda done: told(done, rows)), (lambda: None)
-
-
 def _chosen(names: Sequence[str] | str | None) -> Chosen:
     return names if names is None or isinstance(names, str) else tuple(names)
-
-
-def _threads(threads: int | None) -> int:
-    if threads is None:
-        text = os.environ.get(_NUM_THREADS)
-        if text is None:
-            affinity = getattr(os, "sched_getaffinity", None)
-            return len(affinity(0)) if affinity else os.cpu_count() or 1
-        return admitted_count(_NUM_THREADS, int(text) if text.isdecimal() else text, 1)
-    return admitted_count("threads", threads, 1)
-
-
-def _is_tolerant(errors: str) -> bool:
-    if errors not in ("raise", "nan"):
-        raise BadValueError(f'errors = "{errors}" is not admitted: raise or nan', variable="errors")
-    return errors == "nan"

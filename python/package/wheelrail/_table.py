@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._element import Element, Errors, Outputs, Progress, Remarks, WheelSet, _teller, _Unit
+from ._element import Element, Errors, Outputs, Remarks, WheelSet, _Unit
+from ._slices import Progress, teller
 from ._variables import Unit, Variable, find, is_evaluated, select, variables
 from .errors import BadValueError, ContactWarning
 
@@ -79,7 +80,7 @@ def evaluate(
     """
     import pandas
 
-    tell, close = _teller(progress, len(table))
+    tell, close = teller(progress, len(table))
     try:
         found = outputs_for(
             table, unit=unit, outputs=outputs, threads=threads, errors=errors, tell=tell, **parameters

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ._element import Errors, Outputs, Progress, _teller
+from ._element import Errors, Outputs
+from ._slices import Progress, teller
 from ._table import outputs_for
 from ._variables import Unit
 from .errors import BadValueError, ContactError, admitted_count
@@ -71,7 +72,7 @@ def evaluate(
     style = _CsvStyle.of(source)
     writer = _writer(path, partial, style)
     pieces, count = _pieces(source, rows_at_once, style)
-    tell, close = _teller(progress, count)
+    tell, close = teller(progress, count)
     done = 0
     try:
         for piece in pieces:

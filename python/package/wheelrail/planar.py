@@ -15,9 +15,10 @@ import numpy.typing as npt
 
 from . import _native
 from ._contact import Field
-from ._element import Element, _is_tolerant, _threads, in_slices
+from ._element import Element
 from ._given import numbers
 from ._result import Column, Columns, Layout, Result
+from ._slices import in_slices, is_tolerant, thread_count
 from .errors import BadValueError
 
 __all__ = ["Transient", "TransientField", "TransientResult", "fields", "solve"]
@@ -99,7 +100,7 @@ def solve(
     )  # fmt: skip
     data = np.empty((len(cases), len(_COLUMNS)))
     states = np.zeros(len(cases), dtype=np.uint8)
-    count, tolerant = _threads(threads), _is_tolerant(errors)
+    count, tolerant = thread_count(threads), is_tolerant(errors)
     refusals: dict[int, str] = {}
 
     def work(rows: slice) -> None:

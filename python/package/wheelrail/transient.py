@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._contact import Field
+from ._load import Load, is_wheel
 from ._run import Run
 from .errors import BadValueError
 
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import ElementInputs
-    from .subsurface import Load
 
 __all__ = ["TransientRun"]
 
@@ -69,8 +69,6 @@ class TransientRun(Run):
         **inputs : float
             As for `fields`.
         """
-        from .subsurface import Load, is_wheel
-
         material = "wheel" if is_wheel(body) else "rail"
         given = self._element.parameters
         return [

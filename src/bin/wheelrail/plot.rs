@@ -15,7 +15,8 @@ use wheelrail::variables::Values;
 
 use crate::cases::Cases;
 use crate::element_rows::read_values;
-use crate::figures::contact::{Figure, Side};
+use crate::figures::contact::Figure;
+use crate::figures::patch_panel::Side;
 use crate::planar_cases::PlanarCases;
 use crate::remarks::{Found, Remarks};
 use crate::{models, output};

@@ -5,10 +5,9 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use super::contact_setup::ContactSetup;
+use super::laid_zones::{LaidZone, ZoneRolling};
 use super::models::Models;
 use super::number::ElementNumber;
-use super::rolling_zones::LaidZone;
-use super::zone_rolling::ZoneRolling;
 use crate::element::input::WheelMotion;
 use crate::element::output::{Output, Patch, Wrench};
 use crate::element::wear_sums::WearSums;

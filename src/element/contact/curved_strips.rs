@@ -137,9 +137,8 @@ fn leaning_axes<T: Real>(along: Vector3<T>, tangent: Vector3<T>, lean: T) -> Con
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::contact::laid_zones::{LaidZone, ZoneRolling};
     use crate::element::contact::models::Models;
-    use crate::element::contact::rolling_zones::LaidZone;
-    use crate::element::contact::zone_rolling::ZoneRolling;
     use crate::element::contact::zone_surface::ZoneSurface;
     use crate::element::output::Output;
     use crate::element::parameters::Parameters;

@@ -5,6 +5,7 @@ pub(super) mod contact_forces;
 pub(super) mod contact_setup;
 pub(super) mod curved_strips;
 pub(super) mod given_tractions;
+pub(super) mod laid_zones;
 pub(super) mod models;
 pub(super) mod number;
 pub(super) mod rail_frame;

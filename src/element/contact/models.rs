@@ -1,7 +1,7 @@
 //! The contact models of an element and their scratch memory.
 
 use super::given_tractions::GivenTractions;
-use super::rolling_zones::RollingZones;
+use super::laid_zones::RollingZones;
 use crate::element::contact_history::Remembering;
 use crate::element::output::Patch;
 use crate::element::parameters::{CreepageModel, Parameters, TangentialHistory, VerticalMode};

@@ -1,99 +1,13 @@
-//! The loaded zones of a rail, or of one contact frame, as they roll: their tractions are found
-//! together.
+//! The tractions of loaded zones, which are found together.
 
-use super::curved_strips::CurvedStrips;
+use super::laid_zones::{LaidZone, RollingZones};
 use super::models::Models;
 use super::number::ElementNumber;
 use super::tractions::Tractions;
-use super::zone_rolling::ZoneRolling;
-use super::zone_surface::ZoneSurface;
 use crate::element::output::Output;
 use crate::element::parameters::CreepageModel;
 use crate::element::work::Work;
-use crate::geometry::contacts::contact::Contact;
-use crate::math::fixed_vec::FixedVec;
-use crate::math::real::Real;
-use crate::normal::Strips;
-use crate::tangential::rigid_slip::RigidSlip;
-use crate::tangential::{CreepForce, RollingZone, UnderLaw};
-
-/// A loaded zone in its frame, and how it rolls.
-#[derive(Clone, Copy, Debug)]
-pub struct LaidZone<T = f64> {
-    /// Its number among the zones of the strips.
-    pub index: usize,
-    /// Its frame.
-    pub contact: Contact<T>,
-    /// See [`ContactSetup::resultant_share`](super::contact_setup::ContactSetup::resultant_share).
-    pub resultant_share: T,
-    /// Where the y of its strips count from, among the zones that feel each other [m].
-    pub origin: T,
-    pub rolling: ZoneRolling<T>,
-    pub surface: ZoneSurface<T>,
-    /// How it rolls under the laws of friction.
-    pub law: UnderLaw<T>,
-}
-
-impl<T: Real> LaidZone<T> {
-    /// Its rigid slip: of `curved` patches, else with one creepage on `strips`.
-    fn slip<'a>(
-        &'a self,
-        strips: &'a Strips<T>,
-        curved: Option<&'a CurvedStrips<T>>,
-    ) -> RigidSlip<'a, T> {
-        let mean = self.law.state.creepage;
-        curved.map_or_else(
-            || RigidSlip::flat(&self.rolling.zone, strips, mean),
-            |curved| curved.slip(mean),
-        )
-    }
-
-    /// The zone of `strips` with that slip.
-    fn rolling<'a>(
-        &'a self,
-        strips: &'a Strips<T>,
-        curved: Option<&'a CurvedStrips<T>>,
-    ) -> RollingZone<'a, T> {
-        let slip = self.slip(strips, curved);
-        let zone = RollingZone::new(&self.rolling.zone, strips, slip, &self.law);
-        RollingZone { origin: self.origin, ..zone }
-    }
-}
-
-/// Zones that are under way together, in the order of their places across.
-#[derive(Clone, Debug)]
-pub struct RollingZones<T = f64> {
-    pub zones: FixedVec<LaidZone<T>>,
-    /// The strips on the wheel's surface, if creepage is that of curved patches.
-    pub strips: CurvedStrips<T>,
-    /// Resultants of each zone: in its frame, if creepage is flat, and in that of the track.
-    flat: FixedVec<CreepForce<T>>,
-    pub tractions: FixedVec<Tractions<T>>,
-}
-
-impl<T: Real> RollingZones<T> {
-    /// Room for that many zones and strips.
-    pub fn with_capacity(zones: usize, strips: usize) -> Self {
-        Self {
-            zones: FixedVec::new(zones),
-            strips: CurvedStrips::with_capacity(strips),
-            flat: FixedVec::new(zones),
-            tractions: FixedVec::new(zones),
-        }
-    }
-
-    /// Most zones and strips without allocating.
-    pub fn capacity(&self) -> [usize; 2] {
-        [self.zones.capacity(), self.strips.capacity()]
-    }
-
-    /// Forgets all zones.
-    pub fn clear(&mut self) {
-        self.zones.clear();
-        self.strips.clear();
-        self.tractions.clear();
-    }
-}
+use crate::tangential::CreepForce;
 
 impl<T: ElementNumber> Models<T> {
     /// Finds the tractions of all zones that were laid; returns how many zones fell back to a simpler

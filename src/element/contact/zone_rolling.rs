@@ -1,37 +1,14 @@
 //! How a loaded zone rolls.
 
-use nalgebra::Vector3;
-
 use super::contact_setup::ContactSetup;
+use super::laid_zones::{LaidZone, ZoneRolling};
 use super::models::Models;
 use super::number::ElementNumber;
-use super::rolling_zones::LaidZone;
 use super::zone_surface::ZoneSurface;
 use crate::element::parameters::CreepageModel;
-use crate::kinematics::creepage::{
-    ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
-};
+use crate::kinematics::creepage::{Creepage, RelativeMotion, kinematic_creepage, rolling_speed};
 use crate::normal::Zone;
 use crate::tangential::{RollingState, UnderLaw};
-
-/// A loaded zone and how it rolls.
-#[derive(Clone, Copy, Debug)]
-pub struct ZoneRolling<T> {
-    pub zone: Zone<T>,
-    /// Centroid of its load, x from the wheel marker [m].
-    pub position: Vector3<T>,
-    pub axes: ContactAxes<T>,
-    pub rolling_radius: T,
-    /// Velocity of the wheel along the rail's surface [m/s].
-    pub forward: T,
-    pub speed: RollingSpeed<T>,
-    /// Normal force with damping over that without [-].
-    pub load_factor: T,
-    /// How much deeper than the even contact line the wheel is along the normal [m].
-    pub surface_depth: T,
-    /// Lean of the strips of a rail that varies along the track [-].
-    pub lean: T,
-}
 
 impl<T: ElementNumber> ContactSetup<'_, T> {
     /// How a zone rolls.

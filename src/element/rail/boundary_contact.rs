@@ -6,6 +6,7 @@
 //! resultants.
 
 use super::boundary_tractions::{RailRolling, ZoneState};
+use super::overlapping::for_each_element;
 use crate::element::contact::contact_setup::{ContactSetup, Damped};
 use crate::element::contact::models::Models;
 use crate::element::output::Output;
@@ -15,7 +16,7 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::math::real::Real;
-use crate::normal::rail_elements::{self, RailElements, Row};
+use crate::normal::rail_elements::{self, RailElements};
 use crate::normal::{LoadedStrip, Zone};
 
 /// Elements that the grid of like bodies gets more on each side: room for what tractions do.
@@ -167,52 +168,4 @@ fn take_zone(
     (zone.first, zone.y) = (0, 0.0);
     strips.zones.push(zone);
     (contact, share)
-}
-
-/// An element at which the bodies overlap.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Overlapping<'a> {
-    /// Its number.
-    pub k: usize,
-    /// The number of its row.
-    pub j: usize,
-    pub row: &'a Row,
-    /// Place along the track [m].
-    pub x: f64,
-    /// Point (y, z) of the wheel opposite to it [m].
-    pub point: [f64; 2],
-    pub overlap: f64,
-    pub growth: [f64; 3],
-    /// [N].
-    pub load: f64,
-}
-
-/// Hands the elements `asked` for by the numbers of their rows and their own to `each`, those at
-/// which the bodies overlap.
-pub(super) fn for_each_element<'a>(
-    elements: &'a RailElements,
-    asked: impl Fn(usize, usize) -> bool,
-    mut each: impl FnMut(Overlapping<'a>),
-) {
-    let (grid, area) = (&elements.grid, elements.grid.element_area());
-    for (j, row) in elements.rows.iter().enumerate() {
-        let Some(row) = row else { continue };
-        let normal = row.normal();
-        for i in 0..grid.along {
-            let k = j * grid.along + i;
-            let Some(opposite) = elements.opposite[k].as_ref().filter(|_| asked(j, k)) else {
-                continue;
-            };
-            each(Overlapping {
-                k,
-                j,
-                row,
-                x: grid.x(i),
-                point: [0, 1].map(|c| row.point[c] + opposite.overlap * normal[c]),
-                overlap: opposite.overlap,
-                growth: opposite.growth,
-                load: area * elements.pressure[k],
-            });
-        }
-    }
 }

@@ -16,7 +16,7 @@ mod remembered;
 
 use nalgebra::Vector3;
 
-use super::boundary_contact::{Overlapping, for_each_element};
+use super::overlapping::{Overlapping, for_each_element};
 use crate::boundary_element::friction::Tractions as ElementTractions;
 use crate::boundary_element::unlike::{Press, UnlikeProblem};
 use crate::element::contact::contact_setup::{ContactSetup, Damped};

@@ -8,6 +8,7 @@ pub(super) mod flattened;
 pub(super) mod local_line;
 pub(super) mod moving_contact;
 pub(super) mod moving_strips;
+mod overlapping;
 pub(super) mod rail_contact;
 pub(super) mod rail_forces;
 pub(super) mod strip_contact;

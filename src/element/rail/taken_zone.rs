@@ -2,8 +2,8 @@
 //! the resultant.
 
 use super::strip_damping::StripDamping;
+use crate::element::contact::laid_zones::LaidZone;
 use crate::element::contact::models::Models;
-use crate::element::contact::rolling_zones::LaidZone;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::math::real::Real;

@@ -3,7 +3,7 @@
 use super::{Entry, Look, TAPE, Tape};
 use crate::math::by_slopes::{functions_by_slopes, operations_by_slopes};
 use crate::math::dual::Dual;
-use crate::math::real::{Cubic, Function, Leaf, Real};
+use crate::math::real::{Cubic, Function, Leaf, Linear, Real};
 
 /// A value with its place on the tape of the thread.
 #[derive(Clone, Copy, Debug)]
@@ -127,10 +127,11 @@ impl Real for Taped {
     fn as_whole_again<const K: usize, const M: usize>(
         numbers: [Self; K],
         function: &impl Function<K, M>,
-        kept: &mut Option<[Dual<K>; M]>,
+        kept: &mut Option<[Linear<K>; M]>,
     ) -> [Self; M] {
         let found = kept.get_or_insert_with(|| {
-            function.at(std::array::from_fn(|k| Dual::variable(numbers[k].value, k)))
+            let found = function.at(std::array::from_fn(|k| Dual::variable(numbers[k].value, k)));
+            found.map(|Dual { value, slopes }| Linear { value, slopes })
         });
         found.map(|found| Self::combined(found.value, numbers.iter().zip(found.slopes)))
     }

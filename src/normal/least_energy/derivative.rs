@@ -14,10 +14,10 @@
 
 use super::StripSolver;
 use super::factor::KeptFactor;
+use super::hat::{Hat, KeptPair};
 use super::kernel::Kernel;
 use super::lattice::Lattice;
 use super::line::OverlapLine;
-use super::pairs::{Hat, KeptPair};
 use super::shape::Knots;
 use super::zones::Zones;
 use crate::math::dual::Dual;

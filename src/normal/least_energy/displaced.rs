@@ -21,9 +21,7 @@
 //! K_L = p K_p + q K_q,   K_H = -½ K - K_L,   dK/dp = K_p + γ K_H/(p + q)
 //! ```
 
-use super::lanes::{Four, Simd};
-use super::pairs::Pairs;
-use super::potential::Potentials;
+use super::lanes::{Four, Lanes, Simd};
 use crate::math::real::Real;
 
 const NUMBERS: [f64; 4] = [0.0226, 0.429, 0.2204, 0.7926];
@@ -52,23 +50,47 @@ impl<T: Real> Growth<T> {
     }
 }
 
-/// The same for four pairs.
+/// How four pairs are displaced.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Displacement {
+    /// (Δx/D)² [-].
+    square: Lanes,
+    /// 1/(2 D²) [m^-2].
+    half_inverse_distance: Lanes,
+    /// φ (p + q) [m²].
+    nearness: Lanes,
+}
+
+impl Displacement {
+    /// That of these squares (Δx/D)², with 1/(2 D²).
+    #[inline(always)]
+    pub fn new<S: Simd>(square: Four<S>, half_inverse_distance: Four<S>) -> Self {
+        let nearness = square * (square * NUMBERS[0] + NUMBERS[1]) / half_inverse_distance;
+        Self {
+            square: square.lanes(),
+            half_inverse_distance: half_inverse_distance.lanes(),
+            nearness: nearness.lanes(),
+        }
+    }
+}
+
+/// What h² of four pairs grows by.
 pub(super) struct Growths<S: Simd> {
     /// h_0² over h².
     pub inverse: Four<S>,
     /// γ and dγ/dL.
-    rate: Four<S>,
-    bend: Four<S>,
+    pub rate: Four<S>,
+    pub bend: Four<S>,
 }
 
 impl<S: Simd> Growths<S> {
-    /// For `pairs` of which the sum of the squares of the half lengths and its reciprocal are these.
+    /// For pairs of which the sum of the squares of the half lengths and its reciprocal are these.
     #[inline(always)]
-    pub fn new(simd: S, pairs: &Pairs, [sum, reciprocal]: [Four<S>; 2]) -> Self {
+    pub fn new(simd: S, displaced: &Displacement, [sum, reciprocal]: [Four<S>; 2]) -> Self {
         let one = simd.splat(1.0);
-        let displacement = simd.four(&pairs.displacement);
-        let lengths = sum * simd.four(&pairs.half_inverse_distance);
-        let near = simd.four(&pairs.nearness) * reciprocal;
+        let displacement = simd.four(&displaced.square);
+        let lengths = sum * simd.four(&displaced.half_inverse_distance);
+        let near = simd.four(&displaced.nearness) * reciprocal;
         let (square, root) = (lengths * NUMBERS[2], lengths.sqrt() * NUMBERS[3]);
         let above = one + near;
         let below = above + square + root;
@@ -83,50 +105,6 @@ impl<S: Simd> Growths<S> {
         let per_factor = displacement * inverse;
         let rate = per_factor * slope;
         Self { inverse, rate, bend: (per_factor * bend).sub_product(rate, rate) }
-    }
-
-    /// φ (p + q) for (Δx/D)² and 1/(2 D²).
-    #[inline(always)]
-    pub fn nearness(displacement: Four<S>, half_inverse_distance: Four<S>) -> Four<S> {
-        displacement * (displacement * NUMBERS[0] + NUMBERS[1]) / half_inverse_distance
-    }
-
-    /// Derivatives with what h changes, from those at the same h; second ones where they are wanted.
-    #[inline(always)]
-    pub fn complete<const SECOND: bool>(
-        &self,
-        simd: S,
-        [p, q]: [Four<S>; 2],
-        per_sum: Four<S>,
-        k: &Potentials<S>,
-    ) -> Potentials<S> {
-        let rate = self.rate * per_sum;
-        let half = simd.splat(0.5);
-        let zero = simd.splat(0.0);
-        // By L and H: derivatives of K and of its derivatives by p and q.
-        let by_l = (p * k.by_p).add_product(q, k.by_q);
-        let by_h = zero - by_l.add_product(half, k.value);
-        let more = rate * by_h;
-        let (by_p, by_q) = (k.by_p + more, k.by_q + more);
-        if !SECOND {
-            return Potentials { by_p, by_q, ..*k };
-        }
-        let p_by_l = k.by_p.add_product(p, k.by_pp).add_product(q, k.by_pq);
-        let q_by_l = k.by_q.add_product(p, k.by_pq).add_product(q, k.by_qq);
-        let p_by_h = zero - p_by_l.add_product(half, k.by_p);
-        let q_by_h = zero - q_by_l.add_product(half, k.by_q);
-        let l_by_h = zero - (p * p_by_l).add_product(q, q_by_l).add_product(half, by_l);
-        let h_by_h = zero - l_by_h.add_product(half, by_h);
-        let turn = (self.bend - self.rate) * per_sum * per_sum;
-        let same = (rate * rate * h_by_h).add_product(turn, by_h);
-        Potentials {
-            by_p,
-            by_q,
-            by_pp: k.by_pp + (rate * p_by_h * 2.0) + same,
-            by_pq: k.by_pq + rate * (p_by_h + q_by_h) + same,
-            by_qq: k.by_qq + (rate * q_by_h * 2.0) + same,
-            ..*k
-        }
     }
 }
 

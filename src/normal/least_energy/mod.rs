@@ -26,6 +26,7 @@ mod derivative;
 mod descend;
 mod displaced;
 mod factor;
+mod hat;
 mod kernel;
 mod lanes;
 mod lattice;

@@ -25,6 +25,48 @@ pub(super) struct Potentials<S: Simd> {
     pub by_qq: Four<S>,
 }
 
+impl<S: Simd> Potentials<S> {
+    /// Those of displaced strips, from these at the same h: with what h changes, of which there is
+    /// this `growth`; second derivatives where they are wanted.
+    #[inline(always)]
+    fn displaced<const SECOND: bool>(
+        self,
+        simd: S,
+        growth: &Growths<S>,
+        [p, q]: [Four<S>; 2],
+        per_sum: Four<S>,
+    ) -> Self {
+        let k = self;
+        let rate = growth.rate * per_sum;
+        let half = simd.splat(0.5);
+        let zero = simd.splat(0.0);
+        // By L and H: derivatives of K and of its derivatives by p and q.
+        let by_l = (p * k.by_p).add_product(q, k.by_q);
+        let by_h = zero - by_l.add_product(half, k.value);
+        let more = rate * by_h;
+        let (by_p, by_q) = (k.by_p + more, k.by_q + more);
+        if !SECOND {
+            return Self { by_p, by_q, ..k };
+        }
+        let p_by_l = k.by_p.add_product(p, k.by_pp).add_product(q, k.by_pq);
+        let q_by_l = k.by_q.add_product(p, k.by_pq).add_product(q, k.by_qq);
+        let p_by_h = zero - p_by_l.add_product(half, k.by_p);
+        let q_by_h = zero - q_by_l.add_product(half, k.by_q);
+        let l_by_h = zero - (p * p_by_l).add_product(q, q_by_l).add_product(half, by_l);
+        let h_by_h = zero - l_by_h.add_product(half, by_h);
+        let turn = (growth.bend - growth.rate) * per_sum * per_sum;
+        let same = (rate * rate * h_by_h).add_product(turn, by_h);
+        Self {
+            by_p,
+            by_q,
+            by_pp: k.by_pp + (rate * p_by_h * 2.0) + same,
+            by_pq: k.by_pq + rate * (p_by_h + q_by_h) + same,
+            by_qq: k.by_qq + (rate * q_by_h * 2.0) + same,
+            ..k
+        }
+    }
+}
+
 /// Value, derivative and half of the second derivative of a cubic at `x`.
 #[inline(always)]
 fn cubic<S: Simd>(c: &[Four<S>; 4], x: Four<S>) -> [Four<S>; 3] {
@@ -65,7 +107,7 @@ fn spacing<S: Simd, const SKEWED: bool>(
     if !SKEWED {
         return ([g, h, soft_rate], None);
     }
-    let growth = Growths::new(simd, pairs, sums);
+    let growth = Growths::new(simd, &pairs.displacement, sums);
     let less = growth.inverse;
     ([g * less, h * less.sqrt(), soft_rate * less], Some(growth))
 }
@@ -85,7 +127,7 @@ pub(super) fn potentials<S: Simd, const SECOND: bool, const SKEWED: bool>(
     let (spacing, growth) = spacing::<S, SKEWED>(simd, pairs, sums);
     let abreast = potentials_at::<S, SECOND>(simd, table, pairs, spacing, [p, q], sums);
     match growth {
-        Some(growth) => growth.complete::<SECOND>(simd, [p, q], sums[1], &abreast),
+        Some(growth) => abreast.displaced::<SECOND>(simd, &growth, [p, q], sums[1]),
         None => abreast,
     }
 }

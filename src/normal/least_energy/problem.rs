@@ -1,7 +1,7 @@
 //! What is fixed while one problem is solved, node by node.
 
+use super::hat::Hat;
 use super::lattice::Lattice;
-use super::pairs::Hat;
 use super::scales::Scales;
 use super::shape::Knots;
 use crate::math::fixed_vec::FixedVec;

@@ -1,6 +1,7 @@
 //! Which steps are admitted.
 
-use super::{History, StepMotion};
+use super::history::History;
+use super::step::StepMotion;
 use crate::error::ContactError;
 use crate::material::MaterialPair;
 use crate::normal::NormalModel;

@@ -1,8 +1,9 @@
 //! One step: friction, forces that may be given, and what the parts of the step add up to.
 
 use super::check::first_force;
+use super::history::History;
+use super::step::{StepMotion, TransientField, TransientResult, displacement};
 use super::substep::{Advanced, Given, advance, force_of};
-use super::{History, StepMotion, TransientField, TransientResult, displacement};
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::steps::{self, Lattice, Window};
 use crate::error::ContactError;

@@ -22,6 +22,7 @@ mod march;
 mod model;
 mod parts;
 mod solver;
+mod solvers;
 mod state;
 
-pub use model::{CoupledMarches, MarchNumber};
+pub use solvers::{CoupledMarches, MarchNumber};

@@ -6,11 +6,10 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 use wheelrail::element::FlatContact;
-use wheelrail::planar::{ContactField, PlanarResult};
 
 use super::axes::Axes;
 use super::canvas::{Area, BLUE, GREY, PURPLE, VERMILION, heading, px, text};
-use super::patch_panel::Panels;
+use super::patch_panel::{Panels, Side};
 use super::save;
 
 const WIDTH: u32 = 1280;
@@ -24,16 +23,6 @@ const LEGEND: u32 = 26;
 const LENS: f64 = 0.05;
 /// The same over its height.
 const LENS_OF_HEIGHT: f64 = 0.3;
-
-/// One kind of models.
-pub struct Side {
-    /// Names of the models.
-    pub name: String,
-    /// Their fields, one for each zone or for all together.
-    pub fields: Vec<ContactField>,
-    /// Their resultants.
-    pub result: PlanarResult,
-}
 
 /// What is drawn.
 pub struct Figure {

@@ -12,7 +12,7 @@ pub mod fit;
 pub mod icon;
 pub mod motion;
 mod panel;
-mod patch_panel;
+pub mod patch_panel;
 pub mod patches;
 pub mod roots;
 pub mod stress;

@@ -5,11 +5,10 @@ use std::ops::Range;
 
 use anyhow::Result;
 use plotters::prelude::*;
-use wheelrail::planar::{Adherence, ContactField};
+use wheelrail::planar::{Adherence, ContactField, PlanarResult};
 
 use super::axes::Axes;
 use super::canvas::{Area, INK, px, text};
-use super::contact::Side;
 use super::panel::{FRAME, captioned};
 use super::patches::{color, draw_colours};
 
@@ -21,6 +20,16 @@ const MARGIN: f64 = 0.1;
 const ARROWS: usize = 11;
 const ADHESION: RGBColor = RGBColor(160, 205, 235);
 const SLIP: RGBColor = RGBColor(240, 180, 130);
+
+/// One kind of models.
+pub struct Side {
+    /// Names of the models.
+    pub name: String,
+    /// Their fields, one for each zone or for all together.
+    pub fields: Vec<ContactField>,
+    /// Their resultants.
+    pub result: PlanarResult,
+}
 
 /// What a panel shows.
 #[derive(Clone, Copy, PartialEq, Eq)]

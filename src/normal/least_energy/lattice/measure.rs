@@ -21,6 +21,7 @@ use super::Lattice;
 use super::lobes::{self, PLACES};
 use super::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL, Parabola};
 use super::sample::{Sample, between, radius};
+use super::station::{Station, for_pairs};
 use crate::math::real::Real;
 
 /// The integral of the measure for a parabola, n/A apart.
@@ -29,31 +30,6 @@ const PARABOLA: f64 = 1.5;
 const ON_PEDESTAL: f64 = 2.0;
 /// Square of that half width over the variance of a place, weighted so.
 const SQUARE_OVER_VARIANCE: f64 = 7.0;
-
-/// A place up to which nodes are measured.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Station<T> {
-    /// Coordinate across [m], and number of the sample before it.
-    pub y: T,
-    pub sample: usize,
-    /// Number of the interval of overlap.
-    pub interval: usize,
-    /// Overlap, not below zero [m]; that over the depth of the parabola [-].
-    pub overlap: T,
-    pub share: T,
-    /// Integrals of that, its square and its cube over the lobe [m].
-    pub lobe: [T; 3],
-    /// Share of the depth on which the lobe stands [-].
-    pub pedestal: T,
-    /// Place along the track [m].
-    pub x: T,
-    /// Middle of the lobe along the track [m], and how much further from it strips lie than the
-    /// line of greatest overlap does, over how far that lies [-].
-    pub centre: T,
-    pub spread: T,
-    /// Measure of the nodes up to here [-].
-    pub measure: T,
-}
 
 impl<T: Real> Lattice<T> {
     /// The parabola of the overlap; false where there is none.
@@ -224,16 +200,4 @@ fn spread<T: Real>(slope_square: T, ratio: T) -> T {
     let wide = root + 1.0;
     let turn = (root * (slope_square + wide * wide)).sqrt();
     ratio / (slope_square + 1.0 - root * 0.8 + turn * 1.4)
-}
-
-/// Calls `each` with every two neighbouring stations of one interval.
-pub(super) fn for_pairs<T: Real>(
-    stations: &[Station<T>],
-    mut each: impl FnMut(&Station<T>, &Station<T>),
-) {
-    for pair in stations.windows(2) {
-        if pair[0].interval == pair[1].interval {
-            each(&pair[0], &pair[1]);
-        }
-    }
 }

@@ -9,6 +9,8 @@ mod lobes;
 mod measure;
 mod parabola;
 mod sample;
+mod station;
+mod steps;
 
 use super::line::{LinePlace, OverlapLine};
 use super::overlap::{MAX_OVERLAPS, Overlaps};
@@ -16,8 +18,8 @@ use super::scales::Scales;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use lobes::PLACES;
-use measure::Station;
 use sample::{MAX_SAMPLES, Sample, between, radius};
+use station::Station;
 
 /// Width of a hat beyond the end of its overlap where the node stands on that, over that of the
 /// overlap: no hat is without width. It shrinks as the node goes inside, to nothing three times as

@@ -4,7 +4,7 @@ use super::super::line::OverlapLine;
 use super::super::scales;
 use super::Lattice;
 use super::lobes::PLACES;
-use super::measure::{Station, for_pairs};
+use super::station::{Station, for_pairs};
 use crate::math::real::Real;
 use crate::normal::Descent;
 
