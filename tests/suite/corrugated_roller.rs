@@ -167,14 +167,15 @@ fn a_roller_that_turns_its_crests_up_closes_as_a_wheel_does_that_comes_down() {
             felt = felt.max((lifted / undamped - 1.0).abs());
             let part = |force: f64| force / undamped - 1.0;
             // The mean slope under the pressure of Piotrowski and Kik is less than that of the wave
-            // where it is touched, under half an ellipse by about (π L/λ)²/8.
-            let share = match normal_model {
-                NormalModel::PiotrowskiKik => {
-                    let length = evaluate(&mut element, &still).patches[0].length;
-                    (PI * length / wavelength).powi(2) / 8.0
-                }
-                _ => 0.0,
+            // where it is touched, under half an ellipse by about (π L/λ)²/8; over the square of the
+            // overlap of strips, which goes farther than their load, by (π L/λ)²/7.
+            let part_of_square = match normal_model {
+                NormalModel::PiotrowskiKik => 8.0,
+                NormalModel::Strips => 7.0,
+                _ => f64::INFINITY,
             };
+            let length = evaluate(&mut element, &still).patches[0].length;
+            let share = (PI * length / wavelength).powi(2) / part_of_square;
             // The places of touch of a wheel that is pressed are a little beside the first one, and
             // strips each have one of their own.
             let most = 2e-3 + share * part(lowered).abs();

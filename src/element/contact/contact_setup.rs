@@ -218,7 +218,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             let along = along.unwrap_or_default();
             let x = self.line.at(self.contact.u).x + along.ahead;
             let speeds = rail_speeds(self.input, self.k, self.rail.rail, &self.frame);
-            let rail = self.rail.closing_speed(&along, self.contact.rail_s, x, speeds);
+            let rise = self.rail.rise(self.contact.rail_s, x);
+            let rail = RailOutline::closing_speed(&along, rise, speeds);
             let ahead = self.line.ahead_of_round(self.contact.u) + along.lever;
             let arm = self.frame.along() * ahead;
             let steeper = self.steeper(speeds);

@@ -7,17 +7,17 @@ use super::cut_strip::{self, CutStrip};
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::placed_rail::PlacedRail;
-use crate::geometry::rail::rail_outline::RailOutline;
+use crate::geometry::rail::rail_outline::{RailOutline, StripOverWaves};
 use crate::geometry::rail::varying_rail::{Along, VaryingRail};
 use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
 use crate::math::real::Real;
-use crate::normal::least_energy::{LinePlace, OverlapLine};
+use crate::normal::least_energy::{LinePlace, OverlapLine, Section};
 
 /// Least curvature along the track over that of the even wheel: in a trough that is hollow even for
 /// the wheel there is no Hertzian ellipse.
 pub(in crate::element) const MIN_CURVATURE_SHARE: f64 = 0.02;
 
-/// Place along a strip over its half length up to which waves along the track are bridged.
+/// Place along a strip over its half length up to which a wheel that varies around is bridged.
 const STATION: f64 = 0.7;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
@@ -45,33 +45,44 @@ impl<'a> LocalLine<'a> {
         Self { depth, ..Self::new(line, rail, &search.contacts[0]) }
     }
 
-    /// Place along the track at parameter `s` of a rail that varies along it; the place `x` of the
-    /// contact line on others [m].
-    fn met(&self, s: f64, x: f64) -> f64 {
-        self.rail.variation().map_or(x, |varying| x + varying.ahead(s))
+    /// Radius of the section of wheel and rail together at a `place`, where these meet `along` the
+    /// rows of a rail that varies, under a wheel whose section may vary around [m].
+    fn radius_by(&self, place: &LinePlace, along: &Along) -> f64 {
+        let LinePlace { u, y, x, tangent: [ty, tz], overlap, .. } = *place;
+        if !self.line.varies_around() {
+            return radius_on_rows(self.line.wheel_point(u).section_radius, along);
+        }
+        let on_rail = self.rail.curve().at(y).point;
+        let round = self.line.round().wheel_point(u).section_radius;
+        let reach = bridge(round, self.depth);
+        let places = [x, x - self.line.ahead_of_round(u) - along.lever];
+        let direction = [-tz, ty];
+        let more = self.line.mean_curvature_around(places, on_rail, direction, [u, overlap], reach);
+        match more {
+            Some(more) => {
+                radius_on_rows(round, &Along { bulge: more * along.shortening(), ..*along })
+            }
+            None => radius_on_rows(self.line.wheel_point(u).section_radius, along),
+        }
     }
 
-    /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
-    /// varies, under a wheel whose section varies around; waves of both are bridged [m].
-    fn varying_radius(&self, place: &LinePlace) -> f64 {
-        let LinePlace { u, y, x, tangent: [ty, tz], overlap, .. } = *place;
-        let mut even = self.line.wheel_point(u).section_radius;
-        let on_rail = self.rail.curve().at(y).point;
+    /// The strip at `place` over waves of either body, if there are any.
+    pub fn over_waves(&self, place: &LinePlace) -> Option<StripOverWaves<f64>> {
         let outline = RailOutline::at_rest(self.rail);
-        let along = outline.along_bridged(y, x, bridge(even, self.depth));
-        let mut along = along.unwrap_or_default();
-        if self.line.varies_around() {
-            let round = self.line.round().wheel_point(u).section_radius;
-            let reach = bridge(round, self.depth);
-            let places = [x, x - self.line.ahead_of_round(u) - along.lever];
-            let direction = [-tz, ty];
-            let more =
-                self.line.mean_curvature_around(places, on_rail, direction, [u, overlap], reach);
-            if let Some(more) = more {
-                (even, along.bulge) = (round, more * along.shortening());
-            }
+        if !outline.has_waves() {
+            return None;
         }
-        radius_on_rows(even, &along)
+        let at = [place.y, place.x, place.overlap];
+        outline.over_waves(at, |along| self.radius_by(place, along))
+    }
+
+    /// The section at a `place` as if the rail had no end.
+    fn whole_section(&self, place: &LinePlace) -> Section {
+        if let Some(strip) = self.over_waves(place) {
+            return section_over_waves(&strip, place);
+        }
+        let along = RailOutline::at_rest(self.rail).along(place.y).unwrap_or_default();
+        Section::even(self.radius_by(place, &along))
     }
 
     /// What the end of a rail that varies leaves of the strip at `place`; nothing where it is whole.
@@ -79,7 +90,7 @@ impl<'a> LocalLine<'a> {
         let varying = self.rail.variation()?;
         let ends = RailOutline::at_rest(self.rail).ends(place.y)?.map(|end| end - place.x);
         let slope = varying.along(place.y).gap;
-        cut_strip::cut(self.depth, slope, self.varying_radius(place), ends)
+        cut_strip::cut(self.depth, slope, self.whole_section(place).radius, ends)
     }
 
     /// The strip at `place` as far as the rail goes.
@@ -113,7 +124,7 @@ impl LocalLine<'_> {
             dy,
             overlap: -nearest.distance,
             overlap_slope: -along(away),
-            x: self.met(nearest.s, at.x),
+            x: RailOutline::at_rest(self.rail).strip_place(nearest.s, at.x),
             tangent,
         }
     }
@@ -125,19 +136,29 @@ impl OverlapLine for LocalLine<'_> {
         self.on_rail(place)
     }
 
-    fn radius(&mut self, at: &LinePlace) -> f64 {
+    fn section(&mut self, at: &LinePlace) -> Section {
         let varying = self.rail.variation();
         if varying.is_some_and(VaryingRail::is_near_end) {
             // Without what the end leaves out.
             let place = self.whole_place(at.u);
-            let radius = self.varying_radius(&place);
-            return self.cut(&place).map_or(radius, |cut| radius * cut.radius_share);
+            let section = self.whole_section(&place);
+            let share = self.cut(&place).map_or(1.0, |cut| cut.radius_share);
+            return Section { radius: section.radius * share, ..section };
         }
         if varying.is_some() || self.line.varies_around() {
-            return self.varying_radius(at);
+            return self.whole_section(at);
         }
-        self.line.wheel_point(at.u).section_radius
+        Section::even(self.line.wheel_point(at.u).section_radius)
     }
+}
+
+/// That of a `strip` over waves at `place`.
+pub(super) fn section_over_waves<T: Real>(
+    strip: &StripOverWaves<T>,
+    place: &LinePlace<T>,
+) -> Section<T> {
+    let (ahead, less) = (strip.middle - place.x, place.overlap - strip.overlap);
+    Section { radius: strip.radius, ahead, less }
 }
 
 /// The strip `at` a place of the contact line, of parameter `u`, and at `y` of the `rail`, as if that
@@ -160,15 +181,15 @@ pub(super) fn whole_strip<T: Real>(
         dy: T::from(1.0),
         overlap: to[1] * tangent[0] - to[0] * tangent[1],
         overlap_slope: T::from(0.0),
-        x: rail.ahead(y).map_or(at.x, |ahead| at.x + ahead),
+        x: rail.strip_place(y, at.x),
         tangent,
     }
 }
 
-/// Distance to either side over which waves along the track are bridged by a wheel whose even
-/// section has the radius `even`, at an overlap of `depth`: over the length that a ball of it
-/// touches along [m].
-pub(super) fn bridge<T: Real>(even: T, depth: T) -> T {
+/// Distance to either side over which a wheel that varies around is taken for a circle, whose round
+/// section has the radius `even`, at an overlap of `depth`: over the length that a ball of it touches
+/// along [m].
+fn bridge(even: f64, depth: f64) -> f64 {
     (even * depth).sqrt() * STATION
 }
 

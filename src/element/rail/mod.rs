@@ -6,6 +6,7 @@ mod boundary_tractions;
 pub(super) mod cut_strip;
 pub(super) mod flattened;
 pub(super) mod local_line;
+mod local_place;
 pub(super) mod moving_contact;
 pub(super) mod moving_strips;
 mod overlapping;

@@ -150,7 +150,6 @@ impl RailContact {
                 motion: &relative_motion(input, k, &frame),
                 frame: &frame,
                 whole: [models.rail_strips.load(), deepest],
-                rail: outline,
                 speeds: rail_speeds(input, k, rail, &frame),
                 around: None,
             };

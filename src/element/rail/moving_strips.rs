@@ -1,17 +1,18 @@
 //! The strip model on a wheel and a rail with derivatives: the solution of plain numbers, moved.
 
 use super::cut_strip::{self, CutStrip};
-use super::local_line::{LocalLine, MIN_RATE, bridge, radius_on_rows, whole_strip};
+use super::local_line::{LocalLine, MIN_RATE, radius_on_rows, section_over_waves, whole_strip};
+use super::local_place::LocalPlace;
 use super::strip_damping::StripDamping;
-use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
+use super::taken_zone::{TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::models::Models;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
-use crate::geometry::rail::rail_outline::RailOutline;
+use crate::geometry::rail::rail_outline::{RailOutline, StripOverWaves};
 use crate::geometry::rail::varying_rail::VaryingRail;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::real::Real;
-use crate::normal::least_energy::{LinePlace, OverlapLine, StripNumber};
+use crate::normal::least_energy::{LinePlace, OverlapLine, Section, StripNumber};
 
 /// Overlap along the local normals of a line that moves: found by plain numbers, and moved from
 /// there.
@@ -55,7 +56,7 @@ impl<T: Real> MovingLocal<'_, T> {
         let down = |v: [T; 2]| v[1] * tangent[0] - v[0] * tangent[1];
         let (overlap, overlap_slope) = (down(to(on.point)), down(derivative));
         let dy = (dot(derivative, on.first) / bending).at_least(MIN_RATE);
-        let x = self.rail.ahead(y).map_or(at.x, |ahead| at.x + ahead);
+        let x = self.rail.strip_place(y, at.x);
         LinePlace { u, y, dy, overlap, overlap_slope, x, tangent }
     }
 
@@ -63,7 +64,7 @@ impl<T: Real> MovingLocal<'_, T> {
     fn cut(&self, place: &LinePlace<T>) -> Option<CutStrip<T>> {
         let ends = self.rail.ends(place.y)?.map(|end| end - place.x);
         let gap = self.rail.along(place.y)?.gap;
-        cut_strip::cut(self.depth, gap, self.varying_radius(place), ends)
+        cut_strip::cut(self.depth, gap, self.whole_section(place).radius, ends)
     }
 
     /// The strip at `place` as far as the rail goes.
@@ -71,11 +72,24 @@ impl<T: Real> MovingLocal<'_, T> {
         self.cut(&place).map_or(place, |cut| cut.of(place))
     }
 
-    /// Radius of the section of wheel and rail together at a `place`, waves of both bridged [m].
-    fn varying_radius(&self, place: &LinePlace<T>) -> T {
+    /// The strip at `place` over waves of either body, if there are any.
+    fn over_waves(&self, place: &LinePlace<T>) -> Option<StripOverWaves<T>> {
+        if !self.rail.has_waves() {
+            return None;
+        }
         let even = self.line.wheel_point(place.u).section_radius;
-        let along = self.rail.along_bridged(place.y, place.x, bridge(even, self.depth));
-        along.map_or(even, |along| radius_on_rows(even, &along))
+        let at = [place.y, place.x, place.overlap];
+        self.rail.over_waves(at, |along| radius_on_rows(even, along))
+    }
+
+    /// The section at a `place` as if the rail had no end.
+    fn whole_section(&self, place: &LinePlace<T>) -> Section<T> {
+        if let Some(strip) = self.over_waves(place) {
+            return section_over_waves(&strip, place);
+        }
+        let even = self.line.wheel_point(place.u).section_radius;
+        let along = self.rail.along(place.y);
+        Section::even(along.map_or(even, |along| radius_on_rows(even, &along)))
     }
 }
 
@@ -85,12 +99,13 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
         self.on_rail(place)
     }
 
-    fn radius(&mut self, at: &LinePlace<T>) -> T {
+    fn section(&mut self, at: &LinePlace<T>) -> Section<T> {
         // Where an end is near, without what that leaves out.
         let is_near_end = self.rail.rail.variation().is_some_and(VaryingRail::is_near_end);
         let place = if is_near_end { self.whole_place(at.u) } else { *at };
-        let radius = self.varying_radius(&place);
-        self.cut(&place).map_or(radius, |cut| radius * cut.radius_share)
+        let section = self.whole_section(&place);
+        let share = self.cut(&place).map_or(T::from(1.0), |cut| cut.radius_share);
+        Section { radius: section.radius * share, ..section }
     }
 
     fn body_end(&mut self, u: f64) -> T {
@@ -143,8 +158,9 @@ pub fn take_zone<T: Real>(
     let local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
     let taken = zone_in_frame(index, damping, models, |[u, y]| {
         let at = line.at(u);
-        let LinePlace { x, tangent, overlap, .. } = local.on_rail(whole_strip(at, rail, [u, y]));
-        LocalPlace { point: at.point, tangent, overlap, ahead: x - at.x }
+        let strip = local.on_rail(whole_strip(at, rail, [u, y]));
+        let over_waves = local.over_waves(&strip);
+        LocalPlace::of(&at, &strip, over_waves.as_ref(), rail.along(y))
     });
     let deepest = deepest_within(search, of_last_zone(&models.strips));
     let deepest = deepest.and_then(|contact| contact.moving(line, rail));

@@ -6,8 +6,9 @@
 //! overlaps join or part. Each loaded zone then gets its frame from its own load.
 
 use super::local_line::{LocalLine, whole_strip};
+use super::local_place::LocalPlace;
 use super::strip_damping::StripDamping;
-use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
+use super::taken_zone::{TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds};
 use crate::element::contact::models::Models;
 use crate::element::output::Output;
@@ -98,7 +99,6 @@ pub fn add<'a>(
         motion: &of_rail.motion(),
         frame,
         whole: whole(models, search),
-        rail: *rail,
         speeds: rail_speeds(input, of_rail.k, placed, frame),
         around: Some(line).filter(|line| line.varies_around()),
     };
@@ -144,8 +144,9 @@ fn take_zone(
     let place = |[u, y]: [f64; 2]| {
         let at = line.at(u);
         let strip = local.on_rail(whole_strip(at, &outline, [u, y]));
-        let ahead = strip.x - at.x + line.ahead_of_round(u);
-        LocalPlace { point: at.point, tangent: strip.tangent, overlap: strip.overlap, ahead }
+        let own = LocalPlace::of(&at, &strip, local.over_waves(&strip).as_ref(), outline.along(y));
+        // Of a round wheel.
+        LocalPlace { ahead: own.ahead + line.ahead_of_round(u), ..own }
     };
     let taken = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, of_last_zone(&models.strips));

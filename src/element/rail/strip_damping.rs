@@ -1,5 +1,6 @@
 //! Damping of the normal motion of strips.
 
+use super::local_place::LocalPlace;
 use crate::element::contact::rail_frame::RailFrame;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
@@ -20,9 +21,8 @@ pub struct StripDamping<'a, T: Real = f64> {
     pub frame: &'a RailFrame<T>,
     /// Load of all strips of the rail and deepest penetration, which share one stiffness [N, m].
     pub whole: [T; 2],
-    /// The outline of the rail, and the speeds of
-    /// [`closing_speed`](RailOutline::closing_speed) on one that varies along the track [m/s].
-    pub rail: RailOutline<'a, T>,
+    /// The speeds of [`closing_speed`](RailOutline::closing_speed) on a rail that varies along the
+    /// track [m/s].
     pub speeds: [T; 2],
     /// The contact line of a wheel whose section varies around.
     pub around: Option<&'a ContactLine<'a, T>>,
@@ -30,16 +30,10 @@ pub struct StripDamping<'a, T: Real = f64> {
 
 impl<T: Real> StripDamping<'_, T> {
     /// Pressure with damping over that without [-], for the damping `coefficient` at the reference
-    /// stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail with
-    /// parameter u of the contact line: its point, unit tangent and overlap across.
-    pub fn factor(
-        &self,
-        coefficient: f64,
-        [x, y, u]: [T; 3],
-        point: [T; 2],
-        tangent: [T; 2],
-        overlap: T,
-    ) -> T {
+    /// stiffness [N s/m], of a strip at `x` along the track and the parameter u of the contact line [m],
+    /// whose surfaces meet at `place`.
+    pub fn factor(&self, coefficient: f64, [x, u]: [T; 2], place: &LocalPlace<T>) -> T {
+        let &LocalPlace { point, tangent, overlap, along, rise, .. } = place;
         // Backwards it may be the damping that counts.
         if coefficient == 0.0 && !T::IS_BACKWARD {
             return T::from(1.0);
@@ -51,9 +45,8 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.point(touch, x);
         let normal = self.frame.direction(normal);
         let even = self.motion.approach_velocity(touch).dot(&normal);
-        let along = self.rail.along(y);
-        let even =
-            along.map_or(even, |along| even + self.rail.closing_speed(&along, y, x, self.speeds));
+        let even = along
+            .map_or(even, |along| even + RailOutline::closing_speed(&along, rise, self.speeds));
         let lever = along.map_or(T::from(0.0), |along| along.lever);
         let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
         let closing = even + self.motion.turning_velocity(self.frame.along() * ahead).dot(&normal);

@@ -1,6 +1,7 @@
 //! A zone of a whole rail in a frame of its own: through the centroid of its load, its normal along
 //! the resultant.
 
+use super::local_place::LocalPlace;
 use super::strip_damping::StripDamping;
 use crate::element::contact::laid_zones::LaidZone;
 use crate::element::contact::models::Models;
@@ -20,17 +21,6 @@ pub struct TakenZone<T = f64> {
     pub resultant_share: T,
     /// How far its load is ahead of the contact line of a round wheel, where bodies vary along the
     /// track [m].
-    pub ahead: T,
-}
-
-/// A place of the contact line and the surfaces there.
-pub(in crate::element) struct LocalPlace<T = f64> {
-    /// Point of the line and unit tangent of the rail across (y, z) [m, -].
-    pub point: [T; 2],
-    pub tangent: [T; 2],
-    /// Overlap [m].
-    pub overlap: T,
-    /// How far the middle of the strip is ahead of the contact line of a round wheel [m].
     pub ahead: T,
 }
 
@@ -77,8 +67,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     for j in zone.range() {
         let own = place([all.u[j], all.y[j]]);
         let LocalPlace { point, tangent: direction, overlap, .. } = own;
-        let at = [all.x[j], all.y[j], all.u[j]];
-        let factor = damping.factor(*coefficient, at, point, direction, overlap);
+        let factor = damping.factor(*coefficient, [all.x[j], all.u[j]], &own);
         let pressure = all.pressure[j] * factor;
         let load = all.half_length[j] * all.width[j] * pressure;
         sum += load;

@@ -38,7 +38,6 @@ use self::meeting::Meeting;
 pub use self::moving_outline::MovingOutline;
 use self::over::Over;
 use self::touch::Touch;
-pub(in crate::geometry) use self::waves::MIN_REACH;
 use self::waves::WheelWaves;
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
@@ -83,6 +82,8 @@ pub struct VaryingRail {
     is_near_end: bool,
     /// How that stood.
     stand: Stand,
+    /// Whether the rows go straight on along the track but for a corrugation.
+    is_straight: bool,
 }
 
 /// How a wheel stands above a rail that varies.
@@ -132,6 +133,7 @@ impl VaryingRail {
             nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
             meeting: Meeting::new(surface.count()),
+            is_straight: !is_roller && surface.rows.are_straight(),
             surface,
             stand: Stand::default(),
         }

@@ -66,6 +66,20 @@ pub(in crate::geometry) struct Rows {
     pub knots: Vec<RowKnot>,
 }
 
+impl Rows {
+    /// Whether they are the same at all slices.
+    pub fn are_straight(&self) -> bool {
+        let count = self.parameter.len();
+        let same = |j: usize, knot: &RowKnot| {
+            let pairs = self.knots[j].value.iter().zip(&knot.value);
+            pairs.chain(knot.slope.iter().zip(&[0.0; 4])).all(|(a, b)| (a - b).abs() <= 0.0)
+        };
+        self.knots
+            .chunks(count)
+            .all(|slice| slice.iter().enumerate().all(|(j, knot)| same(j, knot)))
+    }
+}
+
 /// A part between two features: rows between them, and over which slices it is there.
 struct Part {
     span: [usize; 2],

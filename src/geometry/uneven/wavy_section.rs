@@ -13,7 +13,7 @@
 use crate::geometry::uneven::waviness::Waviness;
 
 /// Least and greatest distance of samples [m].
-const SPACING: [f64; 2] = [2.5e-4, 4e-3];
+pub(in crate::geometry) const SPACING: [f64; 2] = [2.5e-4, 4e-3];
 
 /// Waves of one body along the track.
 #[derive(Clone, Copy, Debug)]

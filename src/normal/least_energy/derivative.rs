@@ -277,7 +277,7 @@ impl<T: StripNumber> StripFollower<T> {
 mod tests {
     use super::*;
     use crate::geometry::contacts::separation::Probe;
-    use crate::normal::least_energy::LinePlace;
+    use crate::normal::least_energy::{LinePlace, Section};
     use approx::assert_relative_eq;
 
     /// Two humps, the second one shifted by `tilt` against the first one, `depth` deep; all of it
@@ -303,8 +303,8 @@ mod tests {
             }
         }
 
-        fn radius(&mut self, at: &LinePlace<T>) -> T {
-            at.u + 0.46
+        fn section(&mut self, at: &LinePlace<T>) -> Section<T> {
+            Section::even(at.u + 0.46)
         }
     }
 

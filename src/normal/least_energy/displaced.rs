@@ -112,7 +112,7 @@ impl<S: Simd> Growths<S> {
 mod tests {
     use std::f64::consts::PI;
 
-    use super::super::{LinePlace, OverlapLine, StripSolver};
+    use super::super::{LinePlace, OverlapLine, Section, StripSolver};
     use super::Growth;
     use crate::geometry::contacts::separation::Probe;
     use crate::normal::{Strips, hertz};
@@ -139,8 +139,8 @@ mod tests {
             }
         }
 
-        fn radius(&mut self, _: &LinePlace) -> f64 {
-            RADIUS
+        fn section(&mut self, _: &LinePlace) -> Section {
+            Section::even(RADIUS)
         }
     }
 

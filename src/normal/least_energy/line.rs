@@ -23,14 +23,31 @@ pub struct LinePlace<T = f64> {
     pub tangent: [T; 2],
 }
 
+/// The section of both bodies along the track at a place of the contact line, as a circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section<T = f64> {
+    /// Its radius, > 0 [m].
+    pub radius: T,
+    /// How far ahead of the place its middle is, and what the bodies overlap less there [m].
+    pub ahead: T,
+    pub less: T,
+}
+
+impl<T: Real> Section<T> {
+    /// That of even bodies.
+    pub fn even(radius: T) -> Self {
+        Self { radius, ahead: T::from(0.0), less: T::from(0.0) }
+    }
+}
+
 /// The overlap of two bodies along their contact line, with derivatives where the numbers have
 /// them.
 pub trait OverlapLine<T: Real = f64> {
     /// At parameter `u` [m].
     fn place(&mut self, u: T) -> LinePlace<T>;
 
-    /// Radius of the normal section of the wheel along x at a place `at` the line, > 0 [m].
-    fn radius(&mut self, at: &LinePlace<T>) -> T;
+    /// The section along x at a place `at` the line.
+    fn section(&mut self, at: &LinePlace<T>) -> Section<T>;
 
     /// The parameter at which a body ends, which it does at the value `u`, as it moves with the
     /// bodies [m].
@@ -60,7 +77,7 @@ impl<S: Separation> OverlapLine for FrameLine<'_, S> {
         }
     }
 
-    fn radius(&mut self, _: &LinePlace) -> f64 {
-        self.radius
+    fn section(&mut self, _: &LinePlace) -> Section {
+        Section::even(self.radius)
     }
 }

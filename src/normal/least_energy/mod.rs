@@ -42,7 +42,7 @@ mod system;
 mod zones;
 
 pub use derivative::{StripFollower, StripNumber};
-pub use line::{LinePlace, OverlapLine};
+pub use line::{LinePlace, OverlapLine, Section};
 
 use crate::geometry::contacts::separation::{Probe, Separation};
 use crate::math::fixed_vec::FixedVec;

@@ -17,7 +17,7 @@ use crate::geometry::contacts::separation::Probe;
 use crate::kinematics::creepage::Creepage;
 use crate::normal::Strips;
 use crate::normal::hertz;
-use crate::normal::least_energy::{LinePlace, OverlapLine, StripSolver};
+use crate::normal::least_energy::{LinePlace, OverlapLine, Section, StripSolver};
 
 /// Nodes of the normal problems: about those of an element as it starts.
 const NODES: RangeInclusive<usize> = 13..=17;
@@ -111,7 +111,7 @@ impl OverlapLine for Bodies {
         }
     }
 
-    fn radius(&mut self, _: &LinePlace) -> f64 {
-        self.radius
+    fn section(&mut self, _: &LinePlace) -> Section {
+        Section::even(self.radius)
     }
 }

@@ -86,8 +86,10 @@ super::entry::tolerances! {
     LOOP_WORK: [f64; 2] = [1e-4, 1.5e-2], target [1e-4, 1e-4];
 
     /// Work around loops ten times as wide, over the energy stored, median and worst: they run over
-    /// as many more places of the nodes.
-    WIDE_LOOP_WORK: [f64; 2] = [1e-3, 1.5e-2], target [1e-4, 1e-4];
+    /// as many more places of the nodes. On a worn wheel, whose normals turn by 15 degrees within a
+    /// patch, a lateral force that is a thousandth of the load off over 0.4 mm to and fro does a
+    /// fiftieth of the work that is stored at 50 µm.
+    WIDE_LOOP_WORK: [f64; 2] = [1e-3, 2e-2], target [1e-4, 1e-4];
 
     /// Energy that a bounce without damping and friction gains or loses, median and worst: ten of
     /// them change the height by a hundredth. On the root of the flange, where a wheel slides up by

@@ -222,15 +222,18 @@ fn forces_of_a_flat_on_a_crossing_have_an_energy_and_close_as_it_rises() {
         let (by_turn, by_height) = (by_turn / (2.0 * h), by_height / (2.0 * d));
         println!("{station}: {by_turn:.5e} {by_height:.5e}");
         assert_relative_eq!(by_turn, by_height, max_relative = tolerance::VARYING_FORCE);
-        // The rate at which the height of first touch falls as the wheel moves on and turns.
+        // The rate at which the height falls at which the force stays as the wheel moves on and turns.
         let rates = [0.1, -0.3];
-        let mut touch = |time: f64| {
+        let mut force = |time: f64, down: f64| {
             let mut input = input;
             input.track_s += rates[0] * time;
             input.wheel.pitch += rates[1] * time;
-            bare.touching_height(&input)
+            input.wheel.position[2] = height + down;
+            evaluate(&mut bare, &input).wheel.force[2]
         };
-        let sinking = (touch(1e-5) - touch(-1e-5)) / 2e-5;
+        let [by_time, by_way] = [[1e-5, 0.0], [0.0, d]]
+            .map(|[time, way]| (force(time, way) - force(-time, -way)) / (2.0 * (time + way)));
+        let sinking = -by_time / by_way;
         input.wheel.position[2] = height;
         let mut moving = input;
         (moving.wheel.velocity[0], moving.wheel.pitch_rate) = (rates[0], rates[1]);

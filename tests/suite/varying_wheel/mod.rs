@@ -249,8 +249,9 @@ fn sections_of_other_outlines_stand_where_wheels_of_them_would() {
     }
 }
 
-/// Waves of the wheel of [`waves`]: how high they are [m] and how many go around.
-const WAVES: (f64, usize) = (1e-5, 200);
+/// Waves of the wheel of [`waves`]: how high they are [m] and how many go around. They are four times
+/// as long as a patch: sections around are bridged by a chord, strips by all that overlaps.
+const WAVES: (f64, usize) = (4e-5, 58);
 
 /// A folder with the wheel S1002 in sections, twelve to each of four waves of its radius about
 /// angle 0; beyond, it stays as on their crests.

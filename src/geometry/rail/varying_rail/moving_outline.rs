@@ -6,6 +6,7 @@ use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::envelope::Envelope;
 use crate::geometry::sections::rows::met::Met;
+use crate::geometry::uneven::bridge::Bridge;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
@@ -53,14 +54,19 @@ impl<T: Real> MovingOutline<T> {
         self.course
     }
 
-    /// As [`VaryingRail::bridged`], of the `rail` that this is the outline of.
-    pub fn bridged(&self, rail: &VaryingRail, point: [T; 3], reach: T) -> Option<T> {
-        rail.bridged_under(&self.stand, self.course.as_ref(), point, reach)
+    /// As [`VaryingRail::bridge`], of the `rail` that this is the outline of.
+    pub fn bridge(&self, rail: &VaryingRail, point: [T; 3], circle: [T; 2]) -> Bridge<T> {
+        rail.bridge_under(&self.stand, self.course.as_ref(), point, circle)
     }
 
-    /// As [`VaryingRail::waves_over`], above the `rail` that this is the outline of.
-    pub fn waves_over(&self, rail: &VaryingRail, point: [T; 3], reach: T) -> Option<T> {
-        rail.waves_over_under(&self.stand, point, reach)
+    /// As [`VaryingRail::wave_slopes`].
+    pub fn wave_slopes(&self, rail: &VaryingRail, point: [T; 3]) -> ([T; 2], T) {
+        rail.wave_slopes_under(&self.stand, self.course.as_ref(), point)
+    }
+
+    /// As [`VaryingRail::lever_per_slope`].
+    pub fn lever_per_slope(&self, rail: &VaryingRail, point: [T; 3]) -> T {
+        rail.lever_per_slope_under(&self.stand, point)
     }
 
     /// A place (x, y, z) of the rail, x from the wheel marker, along the rows as the wheel moves on

@@ -1,10 +1,10 @@
 //! Waves of a rail that varies and of the wheel over it, at places where both are near.
 
-use super::waves::bulge_over;
 use super::{Stand, VaryingRail};
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::surface::Surface;
-use crate::geometry::uneven::wavy_section::{Waves, WavySection};
+use crate::geometry::uneven::bridge::Bridge;
+use crate::geometry::uneven::wavy_section::{SPACING, Waves, WavySection};
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
 
@@ -32,48 +32,85 @@ impl VaryingRail {
         self.surface.is_corrugated()
     }
 
-    /// By how much a corrugation is more curved over the distance `reach` to either side of the
-    /// point (x, y, z) than there [m], x from the marker of the wheel that passed last, y and z of
-    /// the outline, positive where it bulges more [1/m]; nothing where it is as good as that.
-    pub fn bridged(&self, point: [f64; 3], reach: f64) -> Option<f64> {
-        self.bridged_under(&self.stand, self.course(), point, reach)
+    /// The parabola that a strip is taken for whose even bodies have a circle of `radius` together,
+    /// about the point (x, y, z), and overlap by up to `depth` along the height [m]; x from the
+    /// marker of the wheel that passed last, y and z of the outline.
+    pub fn bridge(&self, point: [f64; 3], circle: [f64; 2]) -> Bridge<f64> {
+        self.bridge_under(&self.stand, self.course(), point, circle)
     }
 
-    /// Curvature of the waves of the wheel over the distance `reach` to either side of the same
-    /// point [m], positive where they bulge [1/m]; nothing where that of the place is as good.
-    pub fn waves_over(&self, point: [f64; 3], reach: f64) -> Option<f64> {
-        self.waves_over_under(&self.stand, point, reach)
-    }
-
-    /// As [`bridged`](Self::bridged), under a wheel that stands so, in the axes along `course`.
-    pub(super) fn bridged_under<T: Real>(
+    /// The same under a wheel that stands so, in the axes along `course`.
+    pub(super) fn bridge_under<T: Real>(
         &self,
         stand: &Stand<T>,
         course: Option<&Course<T>>,
         point: [T; 3],
-        reach: T,
-    ) -> Option<T> {
-        let corrugation = &self.surface.corrugation;
-        let place = self.place_on_rail(stand, course, point);
-        Some(bulge_over(corrugation, place, reach)? + corrugation.moving(place)[2])
+        circle: [T; 2],
+    ) -> Bridge<T> {
+        let rail = on_line(point, |point| self.place_on_rail(stand, course, point));
+        let wheel = on_line(point, |point| self.place_on_wheel(stand, point));
+        let bodies = [(&self.surface.corrugation, rail), (&self.waves, wheel)];
+        let [one, other] = bodies.map(|(waves, _)| waves.bounds());
+        let range = one.range[1] - one.range[0] + other.range[1] - other.range[0];
+        let spacing = one.spacing.min(other.spacing).clamp(SPACING[0], SPACING[1]);
+        let bridge = Bridge::new(circle, [range, spacing], |x| {
+            bodies.map(|(waves, [at, rate])| {
+                if waves.is_empty() {
+                    return [T::from(0.0); 2];
+                }
+                let [height, slope, _] = waves.moving(at + rate * x);
+                [height, slope * rate]
+            })
+        });
+        // All of it is the rail's where the wheel has none.
+        let [rail, wheel] = bridge.slopes;
+        let none = T::from(0.0);
+        let slopes = if self.waves.is_empty() { [rail + wheel, none] } else { bridge.slopes };
+        Bridge { slopes, ..bridge }
     }
 
-    /// As [`waves_over`](Self::waves_over), of a wheel that stands so.
-    pub(super) fn waves_over_under<T: Real>(
+    /// Slopes of the waves of rail and wheel at the point (x, y, z) of the outline, x from the marker
+    /// of the wheel that passed last, along the track [-], and the curvature of those of the rail
+    /// [1/m].
+    pub fn wave_slopes(&self, point: [f64; 3]) -> ([f64; 2], f64) {
+        self.wave_slopes_under(&self.stand, self.course(), point)
+    }
+
+    /// How far ahead of its axle the normal of the wheel passes at the same point, over the slope of its
+    /// waves there [m].
+    pub fn lever_per_slope(&self, point: [f64; 3]) -> f64 {
+        self.lever_per_slope_under(&self.stand, point)
+    }
+
+    /// As [`wave_slopes`](Self::wave_slopes), under a wheel that stands so, in the axes along `course`.
+    pub(super) fn wave_slopes_under<T: Real>(
         &self,
         stand: &Stand<T>,
+        course: Option<&Course<T>>,
         point: [T; 3],
-        reach: T,
-    ) -> Option<T> {
-        bulge_over(&self.waves, self.place_on_wheel(stand, point), reach)
+    ) -> ([T; 2], T) {
+        let [at, rate] = on_line(point, |point| self.place_on_rail(stand, course, point));
+        let [_, rail, curvature] = self.surface.corrugation.moving(at);
+        let [on_wheel, wheel_rate] = on_line(point, |point| self.place_on_wheel(stand, point));
+        let [_, wheel, _] = self.waves.moving(on_wheel);
+        ([rail * rate, wheel * wheel_rate], curvature * rate * rate)
+    }
+
+    /// As [`lever_per_slope`](Self::lever_per_slope), of a wheel that stands so.
+    pub(super) fn lever_per_slope_under<T: Real>(&self, stand: &Stand<T>, point: [T; 3]) -> T {
+        let [_, rate] = on_line(point, |point| self.place_on_wheel(stand, point));
+        T::from(self.nominal_radius) / rate
+    }
+
+    /// Whether the rows go straight on along the track but for a corrugation.
+    pub fn is_straight(&self) -> bool {
+        self.is_straight
     }
 
     /// The waves of rail and wheel about the same point, over x from the marker.
     pub fn waves_about(&self, [x, y, z]: [f64; 3]) -> WavySection<'_> {
         let about = |surface, place: &dyn Fn([f64; 3]) -> f64| {
-            let [behind, here, ahead] =
-                [-RATE_REACH, 0.0, RATE_REACH].map(|way| place([x + way, y, z]));
-            let rate = (ahead - behind) / (2.0 * RATE_REACH);
+            let [here, rate] = on_line([x, y, z], place);
             Waves { surface, at: here - rate * x, rate }
         };
         WavySection::new(
@@ -118,4 +155,10 @@ impl VaryingRail {
             _ => 0.0,
         }
     }
+}
+
+/// The place on a body at the point (x, y, z) [m], and how fast it goes with x [-].
+fn on_line<T: Real>([x, y, z]: [T; 3], place: impl Fn([T; 3]) -> T) -> [T; 2] {
+    let [behind, ahead] = [x - RATE_REACH, x + RATE_REACH].map(|x| place([x, y, z]));
+    [place([x, y, z]), (ahead - behind) / (2.0 * RATE_REACH)]
 }

@@ -20,8 +20,6 @@ pub(super) struct WheelWaves<'a, T = f64> {
 const HOLLOW_SHARE: f64 = 0.25;
 /// Least distance of samples of the deviations [m].
 const SHORTEST: f64 = 2.5e-4;
-/// Distance over that of samples below which differences are no better than the curvature itself.
-pub(in crate::geometry) const MIN_REACH: f64 = 1e-2;
 /// Farthest place of touch along the nominal rolling circle [m].
 const FARTHEST: f64 = 1.2 * REACH;
 
@@ -48,14 +46,4 @@ impl<'a, T: Real> WheelWaves<'a, T> {
     pub fn spacing(&self) -> f64 {
         self.surface.bounds().spacing.max(SHORTEST)
     }
-}
-
-/// Curvature of `waves` over the distance `reach` to either side of the place `at` [m], positive
-/// where they bulge [1/m]; nothing where that of the place is as good.
-pub(super) fn bulge_over<T: Real>(waves: &Waviness, at: T, reach: T) -> Option<T> {
-    if waves.is_empty() || reach.value() <= waves.bounds().spacing * MIN_REACH {
-        return None;
-    }
-    let [here, ahead, behind] = [at, at + reach, at - reach].map(|place| waves.moving(place)[0]);
-    Some((here * 2.0 - ahead - behind) / (reach * reach))
 }

@@ -1,10 +1,12 @@
 //! The contact line of a wheel whose section varies around.
 
 use super::{ContactLine, LinePoint, MIN_SECTION_SHARE};
-use crate::geometry::rail::varying_rail::MIN_REACH;
 use crate::geometry::wheel::surface_point::{Below, SurfacePoint};
 use crate::geometry::wheel::varying_wheel::{BesideRound, VaryingWheel};
 use crate::math::real::Real;
+
+/// Reach over the distance of samples below which differences are no better than the curvature itself.
+const MIN_REACH: f64 = 1e-2;
 
 impl<T: Real> ContactLine<'_, T> {
     /// A `point` of the round wheel at parameter `s`, where the wheel that varies around is met.

@@ -20,7 +20,7 @@ use super::super::line::OverlapLine;
 use super::Lattice;
 use super::lobes::{self, PLACES};
 use super::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL, Parabola};
-use super::sample::{Sample, between, radius};
+use super::sample::{Sample, between, section};
 use super::station::{Station, for_pairs};
 use crate::math::real::Real;
 
@@ -38,7 +38,7 @@ impl<T: Real> Lattice<T> {
             return false;
         };
         let (samples, t) = self.around(y);
-        let radius = radius(line, samples, t, between(samples[0], samples[1], t).at);
+        let radius = section(line, samples, t, between(samples[0], samples[1], t).at).radius;
         // Where the wheel stands upright this grows beyond all bounds and comes back from below.
         let radius = if radius.value() < 0.0 { -radius } else { radius };
         (self.depth, self.half_width, self.radius) = (depth, half_width, radius);

@@ -12,13 +12,13 @@ mod sample;
 mod station;
 mod steps;
 
-use super::line::{LinePlace, OverlapLine};
+use super::line::{LinePlace, OverlapLine, Section};
 use super::overlap::{MAX_OVERLAPS, Overlaps};
 use super::scales::Scales;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use lobes::PLACES;
-use sample::{MAX_SAMPLES, Sample, between, radius};
+use sample::{MAX_SAMPLES, Sample, between, section};
 use station::Station;
 
 /// Width of a hat beyond the end of its overlap where the node stands on that, over that of the
@@ -189,14 +189,14 @@ impl<T: Real> Lattice<T> {
         let LinePlace { u, y, x, tangent, overlap: depth, .. } = at;
         let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
         self.integrals.push(integrals);
-        let radius = radius(line, [a, b], t, at);
+        let Section { radius, ahead, less } = section(line, [a, b], t, at);
         // Off the line of greatest overlap there is less of it.
         let off = (x - centre) * spread;
-        let less = off * off * 0.5 / radius;
+        let less = less + off * off * 0.5 / radius;
         self.nodes.push(Node {
             u,
             y,
-            x: x + off,
+            x: x + ahead + off,
             off,
             tangent: tangent.map(|component| component / length),
             reach: [h; 2],

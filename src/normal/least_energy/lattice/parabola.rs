@@ -61,7 +61,7 @@ impl Lattice {
             let Some(Parabola { depth, half_width, y }) = Parabola::of(stations) else { continue };
             let middle = self.at(y).at;
             let cosine = descent.cosine(middle.tangent);
-            let load = scales::load(depth, half_width, line.radius(&middle).abs());
+            let load = scales::load(depth, half_width, line.section(&middle).radius.abs());
             force += load * cosine;
             stiffness += 1.5 * load / depth * cosine * cosine;
         }

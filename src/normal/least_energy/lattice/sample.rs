@@ -1,6 +1,6 @@
 //! A place at which the overlap is taken: with its slope, it is a cubic between two of them.
 
-use super::super::line::{LinePlace, OverlapLine};
+use super::super::line::{LinePlace, OverlapLine, Section};
 use crate::math::real::{Function, Real};
 
 /// Most places of all intervals at which the overlap is taken.
@@ -80,19 +80,18 @@ pub(super) fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> 
     Sample { at, interval: a.interval, straight, slope, rate, integrals: [one, two] }
 }
 
-/// Radius of the normal section along x at the place `at` the share `t` of the way between two
-/// samples [m].
+/// The section along x at the place `at` the share `t` of the way between two samples.
 ///
 /// The parameter goes straight from one to the other. Where the curvature of a wheel jumps, its
 /// rate does, and with that a cubic would as a sample passes there.
-pub(super) fn radius<T: Real>(
+pub(super) fn section<T: Real>(
     line: &mut impl OverlapLine<T>,
     [a, b]: [&Sample<T>; 2],
     t: T,
     at: LinePlace<T>,
-) -> T {
+) -> Section<T> {
     let u = a.straight + (b.straight - a.straight) * t;
-    line.radius(&LinePlace { u, ..at })
+    line.section(&LinePlace { u, ..at })
 }
 
 /// What both ends of a step say of the place across that was found in its middle, or, where the line
