@@ -158,6 +158,13 @@ super::entry::tolerances! {
     /// is 60 N, a point that moves 0.3 mm under 20 kN is 6 N m.
     CHECK_RAIL_STEP: [f64; 2] = [120.0, 20.0];
 
+    /// Normal force of strips within 2 mrad of the middle of a flat of 50 mm against boundary
+    /// elements: one ellipse stands for an even stretch between two corners, or for two patches.
+    ON_FLAT: f64 = 0.08, target 0.05;
+
+    /// The same elsewhere on either of them: the target for bodies that vary.
+    BESIDE_FLAT: f64 = 0.03;
+
     /// Deviations of 1e-13 m against none: quadrature along strips, and an edge found to 1e-7 m.
     VANISHING_DEVIATIONS: f64 = 1e-6;
 

@@ -1,6 +1,7 @@
 //! Corrugated rails, out-of-round wheels and flats: places of contact, forces and what follows from
 //! them.
 
+mod on_flats;
 mod passage;
 
 use crate::tolerance;
