@@ -17,7 +17,7 @@ use crate::normal::least_energy::{LinePlace, OverlapLine, Section};
 /// the wheel there is no Hertzian ellipse.
 pub(in crate::element) const MIN_CURVATURE_SHARE: f64 = 0.02;
 
-/// Place along a strip over its half length up to which a wheel that varies around is bridged.
+/// Place along a strip over its half length at which the chord of a wheel that varies around ends.
 const STATION: f64 = 0.7;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
@@ -54,7 +54,7 @@ impl<'a> LocalLine<'a> {
         }
         let on_rail = self.rail.curve().at(y).point;
         let round = self.line.round().wheel_point(u).section_radius;
-        let reach = bridge(round, self.depth);
+        let reach = chord(round, self.depth);
         let places = [x, x - self.line.ahead_of_round(u) - along.lever];
         let direction = [-tz, ty];
         let more = self.line.mean_curvature_around(places, on_rail, direction, [u, overlap], reach);
@@ -189,7 +189,7 @@ pub(super) fn whole_strip<T: Real>(
 /// Distance to either side over which a wheel that varies around is taken for a circle, whose round
 /// section has the radius `even`, at an overlap of `depth`: over the length that a ball of it touches
 /// along [m].
-fn bridge(even: f64, depth: f64) -> f64 {
+fn chord(even: f64, depth: f64) -> f64 {
     (even * depth).sqrt() * STATION
 }
 
