@@ -113,7 +113,9 @@ impl<'a, T: Real> RailOutline<'a, T> {
         let [rail, wheel] = bridge.slopes;
         let middle = centre + bridge.middle;
         along.lean += share * rail;
-        along.lever += wheel * self.lever_per_slope(varying, place(middle));
+        if varying.wheel_has_waves() {
+            along.lever += wheel * self.lever_per_slope(varying, place(middle));
+        }
         let rise = if varying.roller_radius() > 0.0 {
             let ([here, _], _) = self.wave_slopes(varying, place(middle));
             self.rise(s, middle) + share * (rail - here)

@@ -4,6 +4,7 @@ use super::{Stand, VaryingRail};
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::surface::Surface;
 use crate::geometry::uneven::bridge::Bridge;
+use crate::geometry::uneven::waviness::Waviness;
 use crate::geometry::uneven::wavy_section::{SPACING, Waves, WavySection};
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
@@ -47,17 +48,19 @@ impl VaryingRail {
         point: [T; 3],
         circle: [T; 2],
     ) -> Bridge<T> {
-        let rail = on_line(point, |point| self.place_on_rail(stand, course, point));
-        let wheel = on_line(point, |point| self.place_on_wheel(stand, point));
-        let bodies = [(&self.surface.corrugation, rail), (&self.waves, wheel)];
+        let corrugation = &self.surface.corrugation;
+        let is_there = |waves: &Waviness| !waves.is_empty();
+        let rail = is_there(corrugation)
+            .then(|| on_line(point, |point| self.place_on_rail(stand, course, point)));
+        let wheel = is_there(&self.waves)
+            .then(|| on_line(point, |point| self.place_on_wheel(stand, point)));
+        let bodies = [(corrugation, rail), (&self.waves, wheel)];
         let [one, other] = bodies.map(|(waves, _)| waves.bounds());
         let range = one.range[1] - one.range[0] + other.range[1] - other.range[0];
         let spacing = one.spacing.min(other.spacing).clamp(SPACING[0], SPACING[1]);
         let bridge = Bridge::new(circle, [range, spacing], |x| {
-            bodies.map(|(waves, [at, rate])| {
-                if waves.is_empty() {
-                    return [T::from(0.0); 2];
-                }
+            bodies.map(|(waves, line)| {
+                let Some([at, rate]) = line else { return [T::from(0.0); 2] };
                 let [height, slope, _] = waves.moving(at + rate * x);
                 [height, slope * rate]
             })
