@@ -49,7 +49,9 @@ fn reference(shape: FlatShape, pitch: f64, depth: f64) -> f64 {
     };
     let mut separation: Vec<[f64; 2]> = (-PLACES..=PLACES).map(distance).collect();
     let least = separation.iter().map(|point| point[1]).fold(f64::INFINITY, f64::min);
-    separation.iter_mut().for_each(|point| point[1] -= least);
+    for point in &mut separation {
+        point[1] -= least;
+    }
     let case = PlanarCase {
         normal_model: NormalModel::BoundaryElement,
         tangential_model: TangentialModel::None,
