@@ -11,6 +11,7 @@ pub(crate) mod linear_system;
 pub(crate) mod logarithm;
 pub(crate) mod nearest_whole;
 pub(crate) mod numbers;
+pub(crate) mod parabola;
 pub mod quadrature;
 pub(crate) mod real;
 pub mod root;

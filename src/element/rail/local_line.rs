@@ -18,7 +18,7 @@ use crate::normal::least_energy::{LinePlace, OverlapLine, Section};
 pub(in crate::element) const MIN_CURVATURE_SHARE: f64 = 0.02;
 
 /// Place along a strip over its half length at which the chord of a wheel that varies around ends.
-const STATION: f64 = 0.7;
+const CHORD_SHARE: f64 = 0.7;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -190,7 +190,7 @@ pub(super) fn whole_strip<T: Real>(
 /// section has the radius `even`, at an overlap of `depth`: over the length that a ball of it touches
 /// along [m].
 fn chord(even: f64, depth: f64) -> f64 {
-    (even * depth).sqrt() * STATION
+    (even * depth).sqrt() * CHORD_SHARE
 }
 
 /// Radius of the section of wheel and rail together along the rows of a rail that varies, for a

@@ -131,6 +131,7 @@ impl<'a, T: Real> RailOutline<'a, T> {
         })
     }
 
+    /// See [`VaryingRail::wave_slopes`].
     fn wave_slopes(&self, varying: &VaryingRail, point: [T; 3]) -> ([T; 2], T) {
         match self.moving {
             None => {
@@ -141,6 +142,7 @@ impl<'a, T: Real> RailOutline<'a, T> {
         }
     }
 
+    /// See [`VaryingRail::lever_per_slope`].
     fn lever_per_slope(&self, varying: &VaryingRail, point: [T; 3]) -> T {
         match self.moving {
             None => varying.lever_per_slope(point.map(T::value)).into(),

@@ -15,18 +15,15 @@
 //! Between samples M is the cubic with the values and slopes of both: the integrals are exact for
 //! that.
 
+use crate::math::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL};
 use crate::math::real::Real;
 use crate::math::root::bracketed;
 
-/// Most samples: beyond them they are farther apart. Of a flat of 50 mm M is known to 60 nm then.
+/// Most samples: beyond them they are farther apart.
 const MOST: usize = 32;
-/// Distance of samples over that between which at most one wave is: an eighth of a wave, of which
-/// cubics err by a thousandth.
+/// Distance of samples over that between which at most one wave is: an eighth of a wave λ, of which
+/// cubics err by (2π/8)⁴/384, a thousandth.
 const APART: f64 = 2.0;
-/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
-/// Half its width over the integral of the square of the overlap over the square of its depth.
-const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 /// Nodes and weights of Gauss and Legendre's rule of five points on 0 to 1: exact for the cube of a
 /// cubic.
 const GAUSS: [[f64; 2]; 5] = [
@@ -36,9 +33,10 @@ const GAUSS: [[f64; 2]; 5] = [
     [0.769_234_655_052_841_5, 0.239_314_335_249_683_23],
     [0.953_089_922_969_332, 0.118_463_442_528_094_54],
 ];
-/// Bracket of an edge over the distance of samples.
+/// Bracket of an edge over the distance of samples: integrals go with its third power.
 const EDGE: f64 = 1e-9;
-/// Overlap below which a parabola is that of the place itself [m].
+/// Overlap below which a parabola is that of the place itself [m]: the ends of its stretch would be
+/// lost in the rounding of heights.
 const LEAST_DEPTH: f64 = 1e-12;
 
 /// The parabola.

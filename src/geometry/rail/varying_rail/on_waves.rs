@@ -33,8 +33,8 @@ impl VaryingRail {
         self.surface.is_corrugated()
     }
 
-    /// The parabola that a strip is taken for whose even bodies have a circle of `radius` together,
-    /// about the point (x, y, z), and overlap by up to `depth` along the height [m]; x from the
+    /// The parabola that a strip is taken for whose even bodies have a `circle` together, by its radius
+    /// and how deep it overlaps at most along the height, about the point (x, y, z) [m]; x from the
     /// marker of the wheel that passed last, y and z of the outline.
     pub fn bridge(&self, point: [f64; 3], circle: [f64; 2]) -> Bridge<f64> {
         self.bridge_under(&self.stand, self.course(), point, circle)
@@ -110,7 +110,8 @@ impl VaryingRail {
         self.is_straight
     }
 
-    /// The waves of rail and wheel about the same point, over x from the marker.
+    /// The waves of rail and wheel about the point (x, y, z) of [`bridge`](Self::bridge), over x from
+    /// the marker.
     pub fn waves_about(&self, [x, y, z]: [f64; 3]) -> WavySection<'_> {
         let about = |surface, place: &dyn Fn([f64; 3]) -> f64| {
             let [here, rate] = on_line([x, y, z], place);
@@ -147,7 +148,7 @@ impl VaryingRail {
         (angle - stand.pitch) * self.nominal_radius
     }
 
-    /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
+    /// How much higher a roller gets at the point (x, z), as of [`bridge`](Self::bridge), as the
     /// arc on its top grows; 0 for a rail, which lies still [-].
     pub fn rise(&self, [x, z]: [f64; 2]) -> f64 {
         let Surface { roller, corrugation, .. } = &self.surface;

@@ -19,9 +19,10 @@ use std::array::from_fn;
 use super::super::line::OverlapLine;
 use super::Lattice;
 use super::lobes::{self, PLACES};
-use super::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL, Parabola};
+use super::parabola::Parabola;
 use super::sample::{Sample, between, section};
 use super::station::{Station, for_pairs};
+use crate::math::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL};
 use crate::math::real::Real;
 
 /// The integral of the measure for a parabola, n/A apart.

@@ -5,13 +5,9 @@ use super::super::scales;
 use super::Lattice;
 use super::lobes::PLACES;
 use super::station::{Station, for_pairs};
+use crate::math::parabola::{DEPTH_OVER_MEAN, HALF_WIDTH_OVER_INTEGRAL};
 use crate::math::real::Real;
 use crate::normal::Descent;
-
-/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-pub(super) const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
-/// Half its width over the integral of the square of the overlap over the square of its depth.
-pub(super) const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 
 /// The parabola with the same integrals of the square and the cube of the overlap.
 #[derive(Clone, Copy, Debug)]
